@@ -59,16 +59,19 @@ void addRunCommand(CLI::App& program, int& result) {
     command
         ->add_option(
             "--watch", arguments->watch,
-            "OBJECT.FIELD: a column of the table --csv, for example lamp.current, ball.position or "
+            "OBJECT.FIELD: a column of the table --csv, a line of the plot --svg, for example lamp.current, "
+            "ball.position or "
             "world.gravity; elements of lists by number (ball.shape.0.radius), their number as count "
-            "(world.contacts.current.count), components as .x and .y (world.gravity.y). An unknown name is "
+            "(world.contacts.current.count), components as .x and .y (world.gravity.y), the "
+            "length of a vector as .length (ball.velocity.length). An unknown name is "
             "reported with similar names")
         ->allow_extra_args(false);
     addNumber(*command, "--every", arguments->every, 1, limits::frames,
-              "Frames between rows of the table --csv")
+              "Frames between rows of the table --csv, or points of the plot --svg")
         ->default_str("1");
     addFile(*command, "--csv", arguments->csv,
             "Write the values that --watch names over time, as comma-separated values");
+    addFile(*command, "--svg", arguments->svg, "Plot the values that --watch names over time, as a picture");
     command->footer(outputConvention);
     command->callback([arguments, &result] {
         takeBack(arguments->level, arguments->json, "LEVEL");

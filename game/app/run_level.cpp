@@ -7,7 +7,8 @@
 #include "game/app/options/run_arguments.hpp"
 #include "game/app/options/sound_option.hpp"
 #include "game/app/progress.hpp"
-#include "game/watch/watch_table.hpp"
+#include "insight/probe/plot.hpp"
+#include "insight/probe/watch_table.hpp"
 #include "physics/dynamics/properties/settings.hpp"
 #include "physics/electricity/analyses/spice.hpp"
 #include "puzzle/run/frame_account.hpp"
@@ -118,6 +119,33 @@ void watchWith(RunOptions& run, std::optional<watch::WatchTable>& table, Registr
     };
 }
 
+/// Adds a callback to the run that collects the watched fields for a plot.
+void plotWith(RunOptions& run, insight::Probes& probes, std::vector<Subscription>& wanted,
+              Registry const& registry, RunArguments const& arguments) {
+    run.enter = [&, others = run.enter](Session& session) {
+        if (others) {
+            others(session);
+        }
+        std::vector<watch::WatchedField> const fields = watch::watchedFields(registry);
+        for (std::string const& what : arguments.watch) {
+            probes.add(session.world(), fields, what);
+            PropertyInfo const& property = *probes.watches().back().field().property;
+            if (property.kind != PropertyKind::object) {
+                wanted.push_back(session.world().want(property));
+            }
+        }
+        probes.look(session.world(), 0);
+    };
+    run.frame = [&, others = run.frame](World const& world) {
+        if (others) {
+            others(world);
+        }
+        if (world.frame() % arguments.every == 0) {
+            probes.look(world, world.frame());
+        }
+    };
+}
+
 } // namespace
 
 int runLevel(RunArguments const& arguments) {
@@ -137,11 +165,12 @@ int runLevel(RunArguments const& arguments) {
             "--budget: the solution was recorded with changes of its own; run it without "
             "--budget to repeat it");
     }
-    if (arguments.watch.empty() == arguments.csv.has_value()) {
+    if (arguments.watch.empty() == (arguments.csv || arguments.svg)) {
         throw std::invalid_argument(
             arguments.watch.empty()
-                ? "--csv: expected --watch OBJECT.FIELD as well, which names the values to write"
-                : "--watch: expected --csv FILE as well, which names the file to write");
+                ? fmt::format("{}: expected --watch OBJECT.FIELD as well, which names the values to write",
+                              arguments.csv ? "--csv" : "--svg")
+                : "--watch: expected --csv FILE or --svg FILE as well, which names the file to write");
     }
     Outputs outputs;
     noteInputs(outputs, arguments, gameData, level);
@@ -151,6 +180,7 @@ int runLevel(RunArguments const& arguments) {
     OutputFile* const spice = outputs.add("--export-spice", arguments.spice);
     OutputFile* const record = outputs.add("--record", arguments.record);
     OutputFile* const csv = outputs.add("--csv", arguments.csv);
+    OutputFile* const svg = outputs.add("--svg", arguments.svg);
     outputs.claimFile("--sound", arguments.sound, "a file whose name ends in .wav");
 
     Session session(gameData.registry, gameData.parts, std::move(level), options);
@@ -187,6 +217,11 @@ int runLevel(RunArguments const& arguments) {
     if (csv != nullptr) {
         watchWith(run, table, gameData.registry, arguments, csv->stream());
     }
+    insight::Probes probes;
+    std::vector<Subscription> wanted;
+    if (svg != nullptr) {
+        plotWith(run, probes, wanted, gameData.registry, arguments);
+    }
     RunReport const report = trembler::run(session, arguments.level, run);
     progress.clear();
     reportScriptMessages(gameData);
@@ -207,6 +242,9 @@ int runLevel(RunArguments const& arguments) {
         outputs.drop(*spice);
     } else if (spice != nullptr) {
         spice->stream() << netlist;
+    }
+    if (svg != nullptr) {
+        svg->stream() << insight::plotAsSvg(session.level().title, probes.series(), report.frames);
     }
     if (record != nullptr) {
         record->stream() << escapedJson(writeSolution(session.record("recorded")).dump(2)) << "\n";

@@ -263,6 +263,30 @@ void drawIcon(ImDrawList& list, Icon icon, ImVec2 centre, float size, ImU32 colo
     switch (icon) {
     case Icon::Save:
         return save(pen);
+    case Icon::Timeline: // a knob on a track, between marks
+        pen.line(-0.9F, 0.3F, 0.9F, 0.3F);
+        pen.dot(-0.15F, 0.3F, 0.36F);
+        pen.line(-0.6F, -0.62F, -0.6F, -0.38F);
+        pen.line(0.1F, -0.62F, 0.1F, -0.38F);
+        pen.line(0.65F, -0.62F, 0.65F, -0.38F);
+        break;
+    case Icon::Curve: // a line that rises and falls, between axes
+        pen.line(-0.85F, -0.85F, -0.85F, 0.8F);
+        pen.line(-0.85F, 0.8F, 0.85F, 0.8F);
+        pen.line(-0.5F, 0.35F, -0.1F, -0.4F);
+        pen.line(-0.1F, -0.4F, 0.25F, 0.15F);
+        pen.line(0.25F, 0.15F, 0.8F, -0.7F);
+        break;
+    case Icon::Repeat: // a section between two bars
+        pen.line(-0.85F, -0.7F, -0.85F, 0.7F);
+        pen.line(0.85F, -0.7F, 0.85F, 0.7F);
+        pen.line(-0.45F, 0.F, 0.1F, 0.F);
+        pen.triangle(0.05F, -0.42F, 0.05F, 0.42F, 0.6F, 0.F);
+        break;
+    case Icon::GoOn: // from a mark onwards
+        pen.line(-0.75F, -0.8F, -0.75F, 0.8F);
+        pen.triangle(-0.35F, -0.72F, -0.35F, 0.72F, 0.85F, 0.F);
+        break;
     case Icon::Script:
         return script(pen);
     case Icon::Camera:

@@ -43,6 +43,10 @@ enum class Icon : std::uint8_t {
     Fit,
     Save,
     Script,
+    Timeline,
+    Curve,
+    Repeat,
+    GoOn,
 };
 
 /// Draws the icon within a square of `size` pixels around `centre`.

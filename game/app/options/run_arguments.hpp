@@ -31,6 +31,7 @@ struct RunArguments {
     OutputTarget spice;
     OutputTarget record;
     OutputTarget csv;
+    OutputTarget svg;
 };
 
 /// Runs the level and writes the requested outputs; returns the exit status. Throws InputError, OutputError,

@@ -30,9 +30,10 @@ void smallHeading(std::string const& text) {
     ImGui::PopFont();
 }
 
-std::vector<GoalLine> linesOf(Session const& session, LevelText const* said, std::span<int const> counts) {
+std::vector<GoalLine> linesOf(Session const& session, LevelText const* said, std::span<int const> counts,
+                              std::span<GoalStatus const> goals) {
     std::vector<GoalLine> lines;
-    for (GoalStatus const& goal : session.judge().status()) {
+    for (GoalStatus const& goal : goals.empty() ? std::span(session.judge().status()) : goals) {
         bool const known = said != nullptr && lines.size() < said->goals().size();
         std::string const& text = known ? said->goals()[lines.size()] : goal.text;
         bool const underWay = !goal.met && goal.progress > 0 && goal.progress < 1;
@@ -97,7 +98,7 @@ void drawGoalCard(Layout& layout, Session const& session, GoalCardLook const& lo
         caption(story.c_str());
         rule();
     }
-    std::vector<GoalLine> const lines = linesOf(session, look.said, look.counts);
+    std::vector<GoalLine> const lines = linesOf(session, look.said, look.counts, look.goals);
     if (lines.empty()) {
         caption(words::noGoal);
     } else {

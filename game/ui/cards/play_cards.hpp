@@ -29,9 +29,10 @@ inline constexpr float roomyWidth = 1200; ///< of a window in which wide cards s
 struct GoalCardLook {
     LevelText const* said = nullptr; ///< nullptr: as the level's file says it
     std::size_t hintsShown = 0;
-    bool brief = false;            ///< only the goals, without the story: another card needs the room
-    bool task = false;             ///< of a demonstration
-    std::span<int const> counts{}; ///< see goalCounts()
+    bool brief = false;                  ///< only the goals, without the story: another card needs the room
+    bool task = false;                   ///< of a demonstration
+    std::span<int const> counts{};       ///< see goalCounts()
+    std::span<GoalStatus const> goals{}; ///< as they were at the moment that is shown; empty: as they are
 };
 
 struct SuccessLook {
@@ -49,7 +50,8 @@ void drawGoalCard(Layout& layout, Session const& session, GoalCardLook const& lo
 void drawTransport(CommandButtons& buttons, RunControl const& run);
 /// `mods`: the level has mods, and a button for them.
 void drawTools(CommandButtons& buttons, Session const& session, bool mods);
-void drawCorner(CommandButtons& buttons);
+/// `ran`: there is a run, and a button for its timeline.
+void drawCorner(CommandButtons& buttons, bool ran);
 /// Draws nothing while there is nothing to celebrate.
 void drawSuccess(CommandButtons& buttons, Session const& session, Celebration const& celebration,
                  SuccessLook const& look);

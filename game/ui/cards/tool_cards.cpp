@@ -90,9 +90,13 @@ void drawTools(CommandButtons& buttons, Session const& session, bool mods) {
     layout.endCard();
 }
 
-void drawCorner(CommandButtons& buttons) {
+void drawCorner(CommandButtons& buttons, bool ran) {
     Layout& layout = buttons.layout();
     layout.beginCard("corner", "", {.anchor = Anchor::TopRight, .bare = true});
+    if (ran) { // at the left, so that the others keep their places
+        buttons.icon("timeline");
+        next();
+    }
     row(buttons, {"fit", "save", "picture", "record", "help", "levels", "menu"});
     layout.endCard();
 }

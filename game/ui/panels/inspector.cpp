@@ -75,7 +75,7 @@ ObjectId Inspector::object(Session const& session) const {
     return subject_ ? session.find(*subject_) : ObjectId{};
 }
 
-void Inspector::draw(Layout& layout, Session const& session, float top, float height) {
+void Inspector::draw(Layout& layout, Session const& session, float top, float height, World const* past) {
     shown_.clear();
     if (!open()) {
         return;
@@ -84,7 +84,7 @@ void Inspector::draw(Layout& layout, Session const& session, float top, float he
     if (subject.valid()) {
         name_ = session.world().store().nameOf(subject); // placed otherwise, parts may have other names
     }
-    shown_ = inspect(session.world(), subject, scripts_);
+    shown_ = inspect(past != nullptr ? *past : session.world(), subject, scripts_);
     layout.beginCard("inspector", "", {.anchor = Anchor::TopRight, .offset = {16, top}, .width = cardWidth});
     ImGui::PushFont(theme().fonts.heading);
     float const side = scaled(40);

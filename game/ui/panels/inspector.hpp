@@ -59,7 +59,8 @@ public:
 
     /// Call between Gui::beginFrame and endFrame. `top`, the distance from the window's top, and the maximum
     /// `height` are in pixels at UI scale 1.
-    void draw(Layout& layout, Session const& session, float top, float height);
+    /// `past` is the world that is shown in place of the session's; nullptr: none.
+    void draw(Layout& layout, Session const& session, float top, float height, World const* past = nullptr);
     /// The sections drawn last.
     [[nodiscard]] std::vector<InspectorSection> const& shown() const { return shown_; }
 

@@ -2,12 +2,15 @@
 
 #include "game/ui/cards/play_cards.hpp"
 #include "game/ui/play/commands/command_sections.hpp"
+#include "game/ui/play/timeline/probe_panel.hpp"
+#include "game/ui/play/timeline/timeline_bar.hpp"
 #include "game/ui/shared/texts.hpp"
 #include "game/ui/shared/words.hpp"
 #include "render/draw/palette.hpp"
 #include "render/panels/theme.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 #include <string_view>
 
 namespace trembler::ui {
@@ -65,7 +68,7 @@ Beside cardsBeside(PlayParts const& parts) {
 }
 
 /// The components panel or that of mods, between the cards at the top of the screen and the row of tools.
-void drawPanels(PlayParts& parts, float screen, Beside const& beside) {
+void drawPanels(PlayParts& parts, float screen, float bottom, Beside const& beside) {
     UiContext& context = parts.context;
     float top = beside.goal ? 150 : cornerRow;
     for (char const* above : {"goal", "success"}) {
@@ -86,13 +89,13 @@ void drawPanels(PlayParts& parts, float screen, Beside const& beside) {
     parts.components.setTips({withKey(words::budgetTip, "budget", context.keys),
                               words::lessOrMore + (keys ? " (" + less + ", " + more + ")" : std::string())});
     parts.components.draw(context.layout, parts.session, parts.budget, context.toasts, top,
-                          screen - top - bottomRow - 8);
+                          screen - top - bottom - 8);
     if (!parts.hasMods()) {
         return;
     }
     World const* const world = &parts.session.world();
     parts.modsPanel.draw(context.layout, parts.data->registry, *parts.workshop, parts.session, top,
-                         screen - top - bottomRow - 8);
+                         screen - top - bottom - 8);
     if (&parts.session.world() != world) { // built again, as the player has changed a script
         parts.newWorld();
     }
@@ -115,6 +118,46 @@ void drawRecording(PlayParts const& parts) {
                        imColour(faded(palette::paperLight, 0.95F)), scaled(9));
     list.AddCircleFilled({left - scaled(15), top + 0.5F * size.y}, scaled(6), imColour(palette::warning));
     list.AddText(font, font->FontSize, {left, top}, imColour(palette::ink), words.c_str());
+}
+
+void savePlot(PlayParts& parts, std::string const& ending) {
+    UiContext& context = parts.context;
+    ProbePanel const& probes = parts.timeline.probes();
+    try {
+        std::string const content = ending == ".csv" ? probes.csv() : probes.svg(parts.timeline.last());
+        auto const path = context.recorder.text("plot", ending.c_str(), content);
+        context.toasts.add(textWith("Saved: {}", path.string()), render::ToastKind::News, 6);
+    } catch (std::runtime_error const& error) {
+        context.toasts.add(translated(error.what()), render::ToastKind::Trouble, 6);
+    }
+}
+
+/// The timeline, the plots above it, and the card in which they are chosen.
+void drawPast(PlayParts& parts, CommandButtons& buttons, float bottom) {
+    Timeline& timeline = parts.timeline;
+    if (!timeline.shown()) {
+        return;
+    }
+    ProbePanel& probes = timeline.probes();
+    Layout& layout = parts.context.layout;
+    auto wanted = drawTimelineBar(buttons, timeline);
+    if (!probes.probes().watches().empty()) {
+        auto const pointed = probes.draw(layout, timeline.frame(), timeline.last());
+        wanted = pointed ? pointed : wanted;
+    }
+    if (wanted) {
+        parts.lookAtPast();
+        timeline.seek(*wanted);
+    }
+    if (probes.choosing()) {
+        ObjectId const object = parts.inspector.object(parts.session);
+        std::string const name =
+            object.valid() ? parts.session.world().store().nameOf(object) : std::string();
+        if (auto const ending = probes.drawChoice(layout, parts.shownWorld(), name, bottom + 8);
+            !ending.empty()) {
+            savePlot(parts, ending);
+        }
+    }
 }
 
 SuccessLook successLook(PlayParts const& parts, bool narrow) {
@@ -149,10 +192,11 @@ std::optional<std::size_t> drawPlayCards(PlayParts& parts, CommandSet const& com
                       .hintsShown = parts.hintsShown,
                       .brief = parts.components.open() || parts.modsPanel.open() || inPlay,
                       .task = parts.ofGallery,
-                      .counts = parts.goalCounts},
+                      .counts = parts.goalCounts,
+                      .goals = parts.timeline.goals()},
                      &buttons);
     }
-    drawCorner(buttons);
+    drawCorner(buttons, !parts.run.building());
     if (beside.toolbox) {
         std::string const hint =
             words::toolboxHint(keyOf(context.keys, "turn-left"), keyOf(context.keys, "turn-right"));
@@ -163,13 +207,16 @@ std::optional<std::size_t> drawPlayCards(PlayParts& parts, CommandSet const& com
     }
     drawTransport(buttons, parts.run);
     drawTools(buttons, session, parts.hasMods());
+    float const bottom = bottomRow + (parts.timeline.shown() ? parts.timeline.height() : 0);
+    drawPast(parts, buttons, bottom);
     drawSuccess(buttons, session, parts.celebration, successLook(parts, beside.narrowSuccess));
     float const screen = static_cast<float>(context.window.size().height) / context.window.uiScale();
     if (!(beside.success && beside.narrow)) {
-        parts.inspector.draw(layout, session, cornerRow, screen - cornerRow - bottomRow - 8);
+        parts.inspector.draw(layout, session, cornerRow, screen - cornerRow - bottom - 8,
+                             parts.timeline.looksBack() ? &parts.shownWorld() : nullptr);
     }
     if (beside.panels) {
-        drawPanels(parts, screen, beside);
+        drawPanels(parts, screen, bottom, beside);
     }
     drawRecording(parts);
     return buttons.asked();

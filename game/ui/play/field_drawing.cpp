@@ -94,7 +94,7 @@ void drawNewWire(PlayParts const& parts) {
     if (!from.valid()) {
         return;
     }
-    World const& world = parts.session.world();
+    World const& world = parts.shownWorld();
     FactsReader const reader(world);
     ObjectId const to = parts.wires.to();
     Facts const end = to.valid() ? reader.of(to) : Facts{};
@@ -112,7 +112,7 @@ void drawBlades(PlayParts const& parts) {
     if (!(parts.hand.cutting() || parts.wires.cutting()) || !wire.a.valid()) {
         return;
     }
-    World const& world = parts.session.world();
+    World const& world = parts.shownWorld();
     FactsReader const reader(world);
     Facts const a = reader.of(wire.a);
     Facts const b = reader.of(wire.b);
@@ -122,12 +122,12 @@ void drawBlades(PlayParts const& parts) {
 
 /// `bare`: only those of the world itself.
 void drawWords(PlayParts const& parts, bool bare) {
-    World const& world = parts.session.world();
+    World const& world = parts.shownWorld();
     Camera const& camera = parts.camera();
     if (bare) { // Gui::endFrame draws what follows before everything else
         ImGui::GetBackgroundDrawList()->AddCallback(ImDrawCallback_ResetRenderState, nullptr);
     }
-    drawSceneWords(camera, world, parts.scene, parts.run.alpha(), parts.shown.names);
+    drawSceneWords(camera, world, parts.scene, parts.alpha(), parts.shown.names);
     parts.goals.drawWords(camera);
     if (bare) {
         return;
@@ -199,9 +199,9 @@ Marked markedObjects(PlayParts const& parts) {
 
 SceneOptions sceneOptions(PlayParts& parts, double time) {
     bool const bare = parts.film.wants(parts.run.stepped());
-    SceneOptions options{.time = time, .alpha = parts.run.alpha(), .overlays = parts.shown.overlays()};
+    SceneOptions options{.time = time, .alpha = parts.alpha(), .overlays = parts.shown.overlays()};
     auto const& carried = parts.placing.carried();
-    options.goals = parts.goals.regions(parts.session.judge().status());
+    options.goals = parts.goals.regions(parts.timeline.goals());
     if (bare) {
         return options;
     }
@@ -223,14 +223,16 @@ SceneOptions sceneOptions(PlayParts& parts, double time) {
 void drawField(PlayParts& parts) {
     UiContext& context = parts.context;
     Canvas& canvas = context.canvas;
-    World const& world = parts.session.world();
-    double const time = std::max(world.time() + (parts.run.alpha() - 1) * frameDuration, 0.0);
+    World const& world = parts.shownWorld();
+    double const shown = static_cast<double>(parts.timeline.frame()) * frameDuration;
+    double const time = std::max(shown + (parts.alpha() - 1) * frameDuration, 0.0);
     canvas.begin(parts.camera(), {.uiScale = context.window.uiScale(),
                                   .time = time,
                                   .shadows = context.shadows,
                                   .flattening = parts.squash.flattening(parts.session)});
     canvas.paper();
-    std::vector<render::Ripple> const ripples = parts.sounds.ripples();
+    bool const past = parts.timeline.looksBack();
+    std::vector<render::Ripple> const ripples = past ? parts.timeline.ripples() : parts.sounds.ripples();
     render::SceneOptions options = sceneOptions(parts, time);
     options.ripples = ripples;
     Marked const marked = markedObjects(parts);
@@ -243,8 +245,10 @@ void drawField(PlayParts& parts) {
     options.flattened = flattened;
     parts.scene.draw(canvas, world, options);
     canvas.newSheet();
-    drawSparks(canvas, parts.sparks.sparks());
-    parts.cuts.draw(canvas);
+    if (!past) {
+        drawSparks(canvas, parts.sparks.sparks());
+        parts.cuts.draw(canvas);
+    }
     bool const bare = parts.film.wants(parts.run.stepped()); // a picture to be kept has no interface
     if (bare) {
         drawCarried(parts);

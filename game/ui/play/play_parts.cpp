@@ -37,6 +37,7 @@ PlayParts::PlayParts(UiContext& uiContext, std::filesystem::path levelFile,
       placing(session, context.toasts), group(session, placing, context.toasts),
       wires(session, context.toasts), hand(session), secondHand(session, 1),
       budget(data ? data->registry : context.registry), goals(session.level()),
+      timeline(data ? data->registry : context.registry, session),
       goalCounts(ui::goalCounts(session.level())), said(session), audio(context.loudspeaker),
       touches(context.loudspeaker), run(session, placing, hand, budget, audio, view, runEvents()),
       lesson(session, !context.profile.solved(id)), keeper(context.builds, id),
@@ -66,12 +67,14 @@ RunEvents PlayParts::runEvents() {
             .beforeStep =
                 [this] {
                     secondHand.beforeStep();
+                    timeline.beforeStep();
                     scene.remember(session.world());
                     sounds.beforeStep(session.world());
                 },
             .afterStep =
                 [this] {
                     sounds.afterStep(session.world());
+                    timeline.afterStep();
                     if (!context.profile.settings().reducedMotion) {
                         sparks.afterStep(session.world());
                     }
@@ -79,6 +82,7 @@ RunEvents PlayParts::runEvents() {
                 },
             .stopped =
                 [this] {
+                    timeline.stopped();
                     secondHand.reset();
                     sparks.reset();
                     cuts.reset();
@@ -110,6 +114,30 @@ void PlayParts::solvedLevel(std::string const& id) {
     }
     context.kinds.look(id, data, data ? data->registry : context.registry, data ? data->parts : context.parts,
                        session.level(), session.record(id), session.world().frame());
+}
+
+void PlayParts::lookAtPast() {
+    if (run.running()) {
+        run.pauseOrGo();
+    }
+    hand.letGo();
+    secondHand.letGo();
+    timeline.setOpen(true);
+}
+
+void PlayParts::continueHere() {
+    if (!timeline.looksBack()) {
+        return;
+    }
+    if (session.altered()) {
+        context.toasts.add(
+            text("A script was changed while it ran, so the run cannot be repeated up to this moment."),
+            render::ToastKind::News, 6);
+        return;
+    }
+    std::uint64_t const frame = timeline.frame();
+    timeline.beginAgain();
+    run.beginAgain(insight::playbackTo(session, frame), frame);
 }
 
 void PlayParts::keepBuild(double seconds) {

@@ -17,6 +17,7 @@
 #include "game/ui/play/run/level_audio.hpp"
 #include "game/ui/play/run/run_control.hpp"
 #include "game/ui/play/run/touch_sounds.hpp"
+#include "game/ui/play/timeline/timeline.hpp"
 #include "game/ui/play/view/cut_view.hpp"
 #include "game/ui/play/view/goal_areas.hpp"
 #include "game/ui/play/view/level_text.hpp"
@@ -71,6 +72,7 @@ struct PlayParts {
     SquashView squash;
     CutView cuts;
     GoalAreas goals;
+    Timeline timeline;
     std::vector<int> goalCounts; ///< how often each goal needs something, see goal_counts.hpp
     LevelText said;              ///< what the level says
     LevelAudio audio;
@@ -111,6 +113,14 @@ struct PlayParts {
     void load(Solution const& solution);
     /// Everything as it was when the level was opened: parts in the toolbox, the world at rest.
     void restart();
+    /// The world that is shown: the session's, or the past.
+    [[nodiscard]] World const& shownWorld() const { return timeline.world(); }
+    /// How far the display is between the last two frames, 0 to 1.
+    [[nodiscard]] double alpha() const { return timeline.looksBack() ? 1 : run.alpha(); }
+    /// Pauses, so that the past can be looked at, and shows the timeline.
+    void lookAtPast();
+    /// Lets the run go on from the frame of the past that is shown; it is computed again up to there.
+    void continueHere();
     /// Shows the wire falling that the hand has just cut, if it has.
     void showCut();
     /// The rectangles, m, that a view of everything shows: of the objects as they are, of areas to place

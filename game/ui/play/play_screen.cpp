@@ -46,9 +46,11 @@ void PlayScreen::setView() {
     double const panel = card ? card->high.x / scale + cardGap : 0;
     double const rest = parts_.context.window.size().width / scale - panel - right;
     double const left = panel > 0 && rest > 300 ? panel : goalCardWidth + 2 * cardGap;
-    Margins const margins{scale * left, scale * cardGap, scale * right, scale * (bottomRow + 6)};
+    double const below = bottomRow + static_cast<double>(parts_.timeline.height()) + 6;
+    Margins const margins{scale * left, scale * cardGap, scale * right, scale * below};
     parts_.view.setView(parts_.context.window.size(), margins);
-    if (parts_.run.building() && !parts_.placing.carried() && !parts_.group.dragging()) {
+    bool const busy = parts_.placing.carried() || parts_.group.dragging();
+    if ((parts_.run.building() && !busy) || fittedTimeline_ != parts_.timeline.height()) {
         fitAroundCards();
     }
 }
@@ -62,7 +64,7 @@ void PlayScreen::fitAroundCards() {
         fittedWindow_ = window;
         fittedScale_ = scale;
     }
-    bool changed = false;
+    bool changed = std::exchange(fittedTimeline_, parts_.timeline.height()) != parts_.timeline.height();
     for (std::size_t i = 0; i < names.size(); ++i) {
         auto const card = parts_.context.layout.card(names[i]);
         if (!card) {
@@ -84,6 +86,11 @@ void PlayScreen::fitAroundCards() {
             render::Point const gap{6 * scale, 6 * scale};
             obstacles.push_back({card->low - gap, card->high + gap});
         }
+    }
+    if (fittedTimeline_ > 0) { // also while it is not drawn yet, so that nothing moves when a run begins
+        double const top = window.height - scale * (bottomRow + static_cast<double>(fittedTimeline_) + 6);
+        obstacles.push_back(
+            {{0, top}, {static_cast<double>(window.width), static_cast<double>(window.height)}});
     }
     double const least = parts_.view.scaleBetweenMargins();
     parts_.view.setPreferred(freeFit(window, parts_.extents(), obstacles,
@@ -119,13 +126,18 @@ std::optional<ScreenRequest> PlayScreen::update(double seconds) {
     }
     auto const handle = parts_.handle();
     FieldMouse::Surroundings const around{handle ? std::optional(handle->at) : std::nullopt,
-                                          parts_.run.watching(),
+                                          parts_.run.watching(), parts_.timeline.looksBack(),
                                           isHeld(context.input, context.keys, "second-hand")};
+    parts_.picking.show(parts_.timeline.looksBack() ? &parts_.shownWorld() : nullptr);
     if (parts_.mouse.update(parts_.pointer, around, seconds)) {
         parts_.newWorld();
     }
     useSecondPlayer(seconds);
+    parts_.timeline.pass(seconds, parts_.run.speed().now());
     parts_.run.advance(seconds, parts_.film.recording());
+    if (auto const trouble = parts_.timeline.takeTrouble()) {
+        context.toasts.add(translated(*trouble), render::ToastKind::Trouble, 8);
+    }
     tellOfSlowness();
     parts_.celebration.pass(seconds);
     parts_.lesson.look(context.input.events(), seconds);
@@ -149,7 +161,8 @@ void PlayScreen::useSecondPlayer(double seconds) {
     auto const scale = static_cast<double>(context.window.uiScale());
     parts_.secondPointer.look(context.pads.second(), seconds, parts_.camera(), scale);
     bool const keyHeld = isHeld(context.input, context.keys, "second-hand");
-    if (!parts_.secondPointer.active() || keyHeld || parts_.run.building() || parts_.run.watching()) {
+    if (!parts_.secondPointer.active() || keyHeld || parts_.run.building() || parts_.run.watching() ||
+        parts_.timeline.looksBack()) {
         return; // a held key lends the second hand to the first player
     }
     Pointer const pointer = parts_.secondPointer.pointer(parts_.camera(), scale);
@@ -197,9 +210,9 @@ bool PlayScreen::still() const {
     bool const celebrates = parts_.celebration.showing() && parts_.celebration.age() < 5;
     bool const moves = lengthSquared(padDirection(parts_.context.input)) > 0;
     return sinceStep_ > ringsOut && !celebrates && !moves && !parts_.lesson.moving() &&
-           !parts_.squash.moving() && !parts_.cuts.moving() && !parts_.secondPointer.moving() &&
-           parts_.sparks.sparks().empty() && !parts_.allBack.waiting() && !parts_.hasMods() &&
-           !parts_.budget.budget();
+           !parts_.timeline.moving() && !parts_.squash.moving() && !parts_.cuts.moving() &&
+           !parts_.secondPointer.moving() && parts_.sparks.sparks().empty() && !parts_.allBack.waiting() &&
+           !parts_.hasMods() && !parts_.budget.budget();
 }
 
 bool PlayScreen::keepsPicture() const {

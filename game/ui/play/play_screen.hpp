@@ -52,6 +52,7 @@ public:
     [[nodiscard]] Inspector const& inspector() const { return parts_.inspector; }
     [[nodiscard]] ComponentsPanel const& components() const { return parts_.components; }
     [[nodiscard]] ModsPanel const& mods() const { return parts_.modsPanel; }
+    [[nodiscard]] Timeline& timeline() { return parts_.timeline; }
     [[nodiscard]] Lesson const& lesson() const { return parts_.lesson; }
     [[nodiscard]] Celebration const& celebration() const { return parts_.celebration; }
     /// nullptr: the level names no mods.
@@ -77,6 +78,7 @@ private:
     std::array<std::optional<Rect>, 5> cards_; // that the view shows everything beside
     render::Size fittedWindow_;                // of which cards_ are
     double fittedScale_ = 0;                   // of the interface
+    float fittedTimeline_ = 0;                 // its height then, pixels at UI scale 1
     bool fastRefused_ = false;                 // the key for fast motion is held while building
     double sinceStep_ = 0;                     // s, of the world
     double toldOfSlownessAt_ = 0;              // the last such speed

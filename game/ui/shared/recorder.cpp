@@ -43,6 +43,15 @@ fs::path Recorder::clip(render::AnimatedWebp& clip, std::int64_t milliseconds) c
     return path;
 }
 
+fs::path Recorder::text(std::string const& name, char const* ending, std::string const& content) const {
+    prepare();
+    fs::path path = fresh(folder_, name, ending);
+    OutputFile file(path);
+    file.stream() << content;
+    file.commit();
+    return path;
+}
+
 fs::path Recorder::picture(render::Image const& image) {
     std::error_code ignored;
     fs::create_directories(folder_, ignored);

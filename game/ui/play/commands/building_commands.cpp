@@ -42,6 +42,10 @@ void turn(PlayParts& parts) {
 /// Moves the selected parts; if there are none, or one is in the hand, the pointer.
 template <int x, int y>
 void nudge(PlayParts& parts) {
+    if (y == 0 && parts.run.paused() && parts.timeline.shown() && !parts.keyPointer.active()) {
+        parts.timeline.stepBy(parts.context.shiftHeld() ? 10 * x : x);
+        return;
+    }
     bool const selected =
         parts.run.building() && !parts.placing.carried() && (parts.placing.selected() || parts.group.any());
     if (!selected || parts.keyPointer.active()) {

@@ -11,6 +11,8 @@ namespace trembler::ui {
 
 /// Running, pausing, and how fast.
 [[nodiscard]] std::span<Command<PlayParts> const> runCommands();
+/// The run that was recorded: looking back, going on from there.
+[[nodiscard]] std::span<Command<PlayParts> const> timelineCommands();
 /// Taking, turning, moving and choosing parts, and putting them back.
 [[nodiscard]] std::span<Command<PlayParts> const> buildingCommands();
 /// Undo, redo, and putting all parts back.

@@ -34,7 +34,14 @@ constexpr Command<PlayParts> lookingTable[] = {
               .name = "Show everything",
               .tip = "Show everything",
               .help = "show everything"},
-     .run = [](PlayParts& parts) { parts.view.fit(); }},
+     .run =
+         [](PlayParts& parts) {
+             if (parts.run.paused() && parts.timeline.shown()) {
+                 parts.timeline.seek(0); // as End shows the present
+             } else {
+                 parts.view.fit();
+             }
+         }},
     {.info = {.id = "inspect",
               .keys = {{{SDLK_i}}},
               .icon = Icon::Eye,

@@ -27,9 +27,16 @@ constexpr Command<PlayParts> runTable[] = {
               .tip = "Pause",
               .help = "pause",
               .whenOn = {Icon::Play, "Go on", "Go on"}},
-     .run = [](PlayParts& parts) { parts.run.pauseOrGo(); },
+     .run =
+         [](PlayParts& parts) {
+             if (parts.timeline.looksBack()) {
+                 parts.timeline.playOrPause();
+             } else {
+                 parts.run.pauseOrGo();
+             }
+         },
      .available = inARun,
-     .on = [](PlayParts const& parts) { return parts.run.paused(); }},
+     .on = [](PlayParts const& parts) { return parts.run.paused() && !parts.timeline.playing(); }},
     {.info = {.id = "step",
               .keys = {{{SDLK_f}}},
               .use = KeyUse::repeats, // held: slow motion
@@ -38,7 +45,14 @@ constexpr Command<PlayParts> runTable[] = {
               .name = "One frame",
               .tip = "One frame, a sixtieth of a second",
               .help = "one frame"},
-     .run = [](PlayParts& parts) { parts.run.step(); }},
+     .run =
+         [](PlayParts& parts) {
+             if (parts.timeline.looksBack()) {
+                 parts.timeline.stepBy(1);
+             } else {
+                 parts.run.step();
+             }
+         }},
     {.info = {.id = "fast",
               .keys = {{{SDLK_TAB}}},
               .use = KeyUse::held,

@@ -67,6 +67,15 @@ void FieldMouse::useHand(Pointer const& pointer, Surroundings const& around, dou
         }
     }
     wasSecond_ = around.second;
+    if (around.past) {
+        if (pointer.pressed) {
+            leftOnPaper_ = !pointer.overCard;
+        } else if (pointer.released && leftOnPaper_ && pointer.strayed(pressedAt_) <= dragThreshold) {
+            picking_.inspect(picking_.hovered());
+        }
+        leftOnPaper_ = leftOnPaper_ && pointer.held;
+        return;
+    }
     HandTool& hand = around.second ? second_ : hand_;
     ObjectId const hovered = picking_.hovered();
     bool const free = hovered.valid() && session_.world().find<Fixed>(hovered) == nullptr;

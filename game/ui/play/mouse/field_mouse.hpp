@@ -29,6 +29,7 @@ public:
     struct Surroundings {
         std::optional<Vec2> handle; ///< middle of the handle that turns the selected part, m
         bool watching = false;      ///< a run is watched again: objects cannot be grabbed
+        bool past = false;          ///< the past is shown: nothing in it can be grabbed or cut
         bool second = false;        ///< the mouse is the second hand, and the first one stays where it is
     };
     /// Handles the mouse for one picture, `seconds` after the last. True if the session now has another

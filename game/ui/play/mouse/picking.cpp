@@ -13,7 +13,9 @@ constexpr double pickReach = 6;
 void Picking::pointAt(Pointer const& pointer) {
     bool const open = !pointer.overCard && pointer.inside;
     render::Point const at{pointer.world.x, pointer.world.y};
-    hovered_ = open ? render::pick(session_.world(), at, pickReach * pointer.pixel) : ObjectId{};
+    hovered_ = open
+                   ? render::pick(past_ != nullptr ? *past_ : session_.world(), at, pickReach * pointer.pixel)
+                   : ObjectId{};
 }
 
 void Picking::inspect(ObjectId object) {

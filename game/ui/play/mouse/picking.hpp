@@ -13,6 +13,8 @@ public:
     /// Both must outlive this.
     Picking(Session const& session, Inspector& inspector) : session_(session), inspector_(inspector) {}
 
+    /// What is on the screen in place of the session's world, in pictures from now on; nullptr: nothing is.
+    void show(World const* past) { past_ = past; }
     /// To be called once per picture. Over a card or outside the window the mouse points at nothing.
     void pointAt(Pointer const& pointer);
     /// The object under the mouse, or an invalid id.
@@ -26,6 +28,7 @@ public:
 private:
     Session const& session_;
     Inspector& inspector_;
+    World const* past_ = nullptr;
     ObjectId hovered_;
 };
 

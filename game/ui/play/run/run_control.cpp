@@ -1,10 +1,34 @@
 #include "game/ui/play/run/run_control.hpp"
 
 #include "physics/dynamics/properties/contacts.hpp"
+#include "runtime/input/input_resolver.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace trembler::ui {
+namespace {
+
+/// In one picture, while a run is computed again. What the world becomes does not depend on it.
+constexpr int framesAtOnce = 120;
+
+void emptyHands(Session& session) {
+    World const& world = session.world();
+    Hand const* const first = world.find<Hand>();
+    SecondHand const* const second = world.find<SecondHand>();
+    for (auto const& [hand, number] :
+         {std::pair<Hand const*, int>{first, 0}, {second == nullptr ? nullptr : &second->grip, 1}}) {
+        if (hand != nullptr && hand->object.valid()) {
+            session.feed({PlayerInput::Kind::release,
+                          hand->object,
+                          {},
+                          hand->target,
+                          static_cast<std::uint8_t>(number)});
+        }
+    }
+}
+
+} // namespace
 
 RunControl::RunControl(Session& session, PlacingTool& placing, HandTool& hand, budget::BudgetMode& budget,
                        LevelAudio& audio, CameraControl const& view, RunEvents events)
@@ -18,6 +42,10 @@ void RunControl::beginPicture(bool fastHeld) {
 
 void RunControl::advance(double seconds, bool oneFrame) {
     oneFrame_ = oneFrame;
+    if (target_) {
+        catchUp();
+        return;
+    }
     if (!running()) {
         audio_.pause(seconds, view_.camera());
         return;
@@ -31,7 +59,19 @@ void RunControl::advance(double seconds, bool oneFrame) {
     }
 }
 
-void RunControl::stepOnce() {
+void RunControl::catchUp() {
+    for (int i = 0; i < framesAtOnce && session_.world().frame() < *target_; ++i) {
+        stepOnce(false);
+    }
+    if (session_.world().frame() >= *target_) {
+        target_.reset();
+        session_.takeOver();
+        emptyHands(session_); // what they held then, nobody holds now
+        speed_.reset();
+    }
+}
+
+void RunControl::stepOnce(bool heard) {
     if (building()) {
         placing_.reset();
         session_.start();
@@ -49,8 +89,8 @@ void RunControl::stepOnce() {
     events_.beforeStep();
     session_.step();
     // In fast motion only every nth frame is heard, so that pitches stay as they are.
-    auto const heard = static_cast<std::uint64_t>(std::max(speed_.now(), 1.0));
-    if (session_.world().frame() % heard == 0) {
+    auto const every = static_cast<std::uint64_t>(std::max(speed_.now(), 1.0));
+    if (heard && session_.world().frame() % every == 0) {
         audio_.frame(session_.world(), view_.camera());
     }
     stepped_ = true;
@@ -94,7 +134,16 @@ void RunControl::begin(bool asBefore) {
     events_.newWorld();
 }
 
+void RunControl::beginAgain(Playback done, std::uint64_t frame) {
+    stop();
+    begin(true);
+    session_.play(std::move(done));
+    target_ = frame;
+    catchUp();
+}
+
 void RunControl::stop() {
+    target_.reset();
     audio_.leave();
     session_.stop();
     hand_.reset();

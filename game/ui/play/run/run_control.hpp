@@ -8,7 +8,9 @@
 #include "game/ui/tools/hand_tool.hpp"
 #include "game/ui/tools/placing_tool.hpp"
 
+#include <cstdint>
 #include <functional>
+#include <optional>
 
 namespace trembler::ui {
 
@@ -44,6 +46,9 @@ public:
     /// Begins the last run again and repeats what the player did in it, with the detail levels and periods
     /// that it had.
     void watchAgain();
+    /// Begins the last run again with what was done in it, computes it up to that frame, without sound and as
+    /// fast as it can in several pictures, and lets it run on from there as the player's own.
+    void beginAgain(Playback done, std::uint64_t frame);
     /// From here on a run that is watched again is the player's own.
     void takeOver();
 
@@ -62,7 +67,8 @@ public:
 
 private:
     void begin(bool asBefore);
-    void stepOnce();
+    void stepOnce(bool heard = true);
+    void catchUp();
 
     Session& session_;
     PlacingTool& placing_;
@@ -75,6 +81,7 @@ private:
     Speed speed_;
     bool oneFrame_ = false;
     bool stepped_ = false;
+    std::optional<std::uint64_t> target_; // up to which the run is computed again
 };
 
 } // namespace trembler::ui

@@ -1,4 +1,4 @@
-#include "game/watch/watch_table.hpp"
+#include "insight/probe/watch_table.hpp"
 
 #include <fmt/format.h>
 
@@ -30,36 +30,51 @@ struct Written {
 
 } // namespace
 
+std::string csvHeader(std::span<Watch const> watches) {
+    std::string line = "frame,time [s]";
+    for (Watch const& watch : watches) {
+        for (std::string const& header : watch.headers()) {
+            line += "," + quoted(header);
+        }
+    }
+    return line;
+}
+
+std::string csvRow(std::uint64_t frame, std::span<Cell const> cells) {
+    double const time = frameDuration * static_cast<double>(frame);
+    std::string line = fmt::format("{},{}", frame, time);
+    for (Cell const& cell : cells) {
+        line += "," + std::visit(Written{}, cell);
+    }
+    return line;
+}
+
 WatchTable::WatchTable(Registry const& registry, World const& world, std::vector<std::string> const& what,
                        std::uint64_t every, std::ostream& out)
     : registry_(registry), every_(every), out_(out) {
     std::vector<WatchedField> const fields = watchedFields(registry);
-    std::string line = "frame,time [s]";
     for (std::string const& one : what) {
         Watch const& watch = watches_.emplace_back(find(world, fields, one));
-        for (std::string const& header : watch.headers()) {
-            line += "," + quoted(header);
-        }
         if (watch.field().property->kind != PropertyKind::object) {
             subscriptions_.push_back(world.want(*watch.field().property));
         }
     }
     filled_.resize(watches_.size());
-    out_ << line << "\n";
+    out_ << csvHeader(watches_) << "\n";
 }
 
 void WatchTable::look(World const& world) {
     if (world.frame() % every_ != 0) {
         return;
     }
-    std::string line = fmt::format("{},{}", world.frame(), world.time());
+    std::vector<Cell> row;
     for (std::size_t i = 0; i < watches_.size(); ++i) {
-        for (Cell const& cell : watches_[i].read(world)) {
-            line += "," + std::visit(Written{}, cell);
+        for (Cell& cell : watches_[i].read(world)) {
             filled_[i] = filled_[i] || !std::holds_alternative<std::monostate>(cell);
+            row.push_back(std::move(cell));
         }
     }
-    out_ << line << "\n";
+    out_ << csvRow(world.frame(), row) << "\n";
 }
 
 std::vector<std::string> WatchTable::withoutValue(World const& world) const {

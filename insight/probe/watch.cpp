@@ -1,4 +1,4 @@
-#include "game/watch/watch.hpp"
+#include "insight/probe/watch.hpp"
 
 #include "runtime/level/json/suggestion.hpp"
 #include "runtime/population/birth_name.hpp"
@@ -34,7 +34,10 @@ public:
         }
     }
     void vector(FieldInfo const& info, Vec2& value) override {
-        if (isIt(info) && field_.component >= 0) {
+        if (isIt(info) && field_.component == lengthComponent) {
+            lengthSum_ += value; // of the sum, where several entries add up
+            cells_[0] = length(field_.adds ? lengthSum_ : value);
+        } else if (isIt(info) && field_.component >= 0) {
             put(0, field_.component == 0 ? value.x : value.y);
         } else if (isIt(info)) {
             put(0, value.x);
@@ -105,6 +108,7 @@ private:
     std::vector<Cell>& cells_;
     std::size_t depth_ = 0; // of field_.lists that have been entered
     Owner owner_ = Owner::none;
+    Vec2 lengthSum_; // of the entries so far
 };
 
 /// Whether an object of this name can have the field, as far as is known at the start of the run.
@@ -187,9 +191,12 @@ Address addressOf(std::string_view word) {
     return address;
 }
 
-/// The component that a word names in its last step: 0 for ".x", 1 for ".y", else -1.
+/// The component that a word names in its last step: 0 for ".x", 1 for ".y", that of ".length", else -1.
 int componentOf(std::string_view word) {
-    return word.ends_with(".x") ? 0 : word.ends_with(".y") ? 1 : -1;
+    return word.ends_with(".x")        ? 0
+           : word.ends_with(".y")      ? 1
+           : word.ends_with(".length") ? lengthComponent
+                                       : -1;
 }
 
 /// The fields that a word names, among those that the object may have.
@@ -274,7 +281,7 @@ Watch find(World const& world, std::vector<WatchedField> const& fields, std::str
     int component = -1;
     if (found.empty() && componentOf(word) >= 0) {
         component = componentOf(word);
-        found = fieldsOf(world, fields, object, address.name.substr(0, address.name.size() - 2));
+        found = fieldsOf(world, fields, object, address.name.substr(0, address.name.rfind('.')));
         std::erase_if(found, [](WatchedField const* field) { return field->type != FieldType::vector; });
     }
     if (found.empty()) {

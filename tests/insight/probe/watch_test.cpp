@@ -1,5 +1,5 @@
 // Watched numbers compared with formulas, and the messages for unknown names.
-#include "game/watch/watch_table.hpp"
+#include "insight/probe/watch_table.hpp"
 #include "tests/support/experiment.hpp"
 
 #include <charconv>

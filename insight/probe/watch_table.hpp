@@ -1,14 +1,20 @@
 // Writes watched fields over time as a table.
 #pragma once
 
-#include "game/watch/watch.hpp"
+#include "insight/probe/watch.hpp"
 
 #include <cstdint>
 #include <iosfwd>
+#include <span>
 #include <string>
 #include <vector>
 
 namespace trembler::watch {
+
+/// The first line of a table: frame, time, and a column for each number.
+[[nodiscard]] std::string csvHeader(std::span<Watch const> watches);
+/// A row, without its end.
+[[nodiscard]] std::string csvRow(std::uint64_t frame, std::span<Cell const> cells);
 
 /// Rows of comma-separated values (RFC 4180): frame, time in s, and a column per number. The first line names
 /// the columns with their units; an unknown value is an empty cell. Numbers have as many digits as are needed

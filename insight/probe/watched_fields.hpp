@@ -29,7 +29,7 @@ struct WatchedField {
     FieldType type = FieldType::number; ///< list: the number of its elements
     std::string unit;                   ///< as displayed: degrees for angles; empty for a pure number
     bool adds = false;                  ///< entries of the same object are summed, otherwise the first counts
-    int component = -1;                 ///< of a vector: 0 for x, 1 for y; -1: both, in two columns
+    int component = -1; ///< of a vector: 0 for x, 1 for y, 2 for its length; -1: both, in two columns
 
     /// Whether it is a field of the entry for an object.
     [[nodiscard]] bool ofEntry() const { return !lists.empty() && lists.front().ofObject; }

@@ -1,4 +1,4 @@
-#include "game/watch/watched_fields.hpp"
+#include "insight/probe/watched_fields.hpp"
 
 #include <algorithm>
 #include <cctype>

@@ -1,7 +1,7 @@
 // Reads fields of a running world by name, frame by frame: for tables of numbers and for probes.
 #pragma once
 
-#include "game/watch/watched_fields.hpp"
+#include "insight/probe/watched_fields.hpp"
 #include "runtime/world/world.hpp"
 
 #include <string>
@@ -39,11 +39,15 @@ private:
     WatchedField field_;
 };
 
+/// WatchedField::component of ".length".
+inline constexpr int lengthComponent = 2;
+
 /// Resolves "OBJECT.FIELD" in a built world: FIELD is a property with a single value, as "mass"; a property
 /// and one of its fields, as "magnetic_force.force"; or a field alone, as "current", if only one property of
 /// the object has it. Elements of lists have numbers from 0: "shape.0.width"; "shape.count" is the number of
-/// elements; ".x" and ".y" after a vector are one of its components. The object "world" has the properties of
-/// the world as a whole. Throws std::invalid_argument that suggests similar names or lists all of them.
+/// elements; ".x" and ".y" after a vector are one of its components, ".length" is its length: a speed, a
+/// force. The object "world" has the properties of the world as a whole. Throws std::invalid_argument that
+/// suggests similar names or lists all of them.
 [[nodiscard]] Watch find(World const& world, std::vector<WatchedField> const& fields, std::string_view what);
 
 } // namespace trembler::watch

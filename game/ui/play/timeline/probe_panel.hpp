@@ -1,0 +1,66 @@
+// Numbers of objects plotted over the timeline.
+#pragma once
+
+#include "game/ui/play/timeline/timeline.hpp"
+#include "game/ui/shared/layout.hpp"
+#include "insight/probe/series.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace trembler::ui {
+
+/// What can be plotted of an object.
+struct Quantity {
+    std::string name; ///< for people
+    std::string what; ///< as watch::find() takes it: "ball.velocity.length"
+};
+
+/// Reads the recording, a part of it in each picture, so probes that are added late show the whole run.
+/// Results that nothing computed while it ran have no values. Window thread only.
+class ProbePanel {
+public:
+    /// Both must outlive this.
+    ProbePanel(Registry const& registry, Session const& session);
+
+    /// Adds or removes a probe of that name, see watch::find().
+    void toggle(std::string const& what);
+    void removeAll();
+    [[nodiscard]] insight::Probes const& probes() const { return probes_; }
+    /// What can be plotted of an object of the shown world: the usual quantities that it has, then all its
+    /// numbers.
+    [[nodiscard]] std::vector<Quantity> quantitiesOf(World const& world, std::string const& object) const;
+
+    /// Reads on in the recording; true if frames were read, so that there is something new to see.
+    bool read(insight::Recording const& recording);
+    void forgetAfter(std::uint64_t frame);
+    /// The run has ended. The probes stay, for the next one.
+    void forget();
+
+    /// Whether the list is open in which the player chooses what to plot.
+    [[nodiscard]] bool choosing() const { return choosing_; }
+    void setChoosing(bool choosing) { choosing_ = choosing; }
+    /// Height of the plots, pixels at UI scale 1; 0 without probes.
+    [[nodiscard]] float height() const;
+    /// Draws the card of the plots, with the shown frame's values, and returns the frame that the player
+    /// points at.
+    std::optional<std::uint64_t> draw(Layout& layout, std::uint64_t frame, std::uint64_t last);
+    /// Draws the card in which the player chooses, for an object by its name; "": none is inspected.
+    /// Returns the ending of the file that the player wants, ".csv" or ".svg"; "" if none.
+    [[nodiscard]] std::string drawChoice(Layout& layout, World const& world, std::string const& object,
+                                         float above);
+    [[nodiscard]] std::string csv() const;
+    [[nodiscard]] std::string svg(std::uint64_t last) const;
+
+private:
+    Registry const& registry_;
+    Session const& session_;
+    std::vector<watch::WatchedField> fields_; // found on first use
+    insight::Probes probes_;
+    insight::Stage stage_;
+    bool choosing_ = false;
+    void findFields();
+};
+
+} // namespace trembler::ui

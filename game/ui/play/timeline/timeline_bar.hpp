@@ -1,0 +1,23 @@
+// The timeline below the scene: a track to drag along, with marks where something notable happened.
+#pragma once
+
+#include "game/ui/commands/command_buttons.hpp"
+#include "game/ui/play/timeline/timeline.hpp"
+
+namespace trembler::ui {
+
+/// Height that it takes above the buttons at the bottom, pixels at UI scale 1.
+inline constexpr float timelineRow = 50;
+
+/// From the left and the right end of the card to its track, pixels at UI scale 1.
+inline constexpr float trackFromLeft = 3 * 44;
+inline constexpr float trackFromRight = 3 * 44 + 112;
+
+/// Draws the card "timeline" and lets the mouse drag along the track. Returns the frame that the player
+/// points at, if it is another one than is shown. Between Gui::beginFrame and endFrame.
+[[nodiscard]] std::optional<std::uint64_t> drawTimelineBar(CommandButtons& buttons, Timeline const& timeline);
+
+/// What happened, for people: "Contact: switch, left contact".
+[[nodiscard]] std::string wordsOf(insight::Mark const& mark);
+
+} // namespace trembler::ui

@@ -1,0 +1,75 @@
+#include "insight/probe/series.hpp"
+
+#include <algorithm>
+
+namespace trembler::insight {
+
+std::optional<double> Series::at(std::uint64_t frame) const {
+    auto const next =
+        std::upper_bound(samples.begin(), samples.end(), frame,
+                         [](std::uint64_t f, Sample const& sample) { return f < sample.frame; });
+    return next == samples.begin() ? std::nullopt : std::optional((next - 1)->value);
+}
+
+void Probes::add(World const& world, std::vector<watch::WatchedField> const& fields,
+                 std::string const& what) {
+    watch::Watch watch = watch::find(world, fields, what);
+    bool const two = watch.headers().size() > 1;
+    for (char const* const component : {".x", ".y"}) {
+        series_.push_back({two ? what + component : what, watch.field().unit, {}});
+        if (!two) {
+            break;
+        }
+    }
+    watches_.push_back(std::move(watch));
+}
+
+bool Probes::has(std::string_view what) const {
+    return std::any_of(watches_.begin(), watches_.end(),
+                       [what](watch::Watch const& watch) { return watch.asked() == what; });
+}
+
+void Probes::remove(std::string_view what) {
+    auto series = series_.begin();
+    for (auto watch = watches_.begin(); watch != watches_.end();) {
+        auto const count = static_cast<std::ptrdiff_t>(watch->headers().size());
+        if (watch->asked() == what) {
+            series = series_.erase(series, series + count);
+            watch = watches_.erase(watch);
+        } else {
+            series += count;
+            ++watch;
+        }
+    }
+}
+
+void Probes::look(World const& world, std::uint64_t frame) {
+    std::size_t next = 0;
+    for (watch::Watch const& watch : watches_) {
+        for (watch::Cell const& cell : watch.read(world)) {
+            if (double const* const value = std::get_if<double>(&cell)) {
+                series_[next].samples.push_back({frame, *value});
+            }
+            ++next;
+        }
+    }
+    last_ = frame;
+}
+
+void Probes::forgetAfter(std::uint64_t frame) {
+    for (Series& series : series_) {
+        std::erase_if(series.samples, [frame](Sample const& sample) { return sample.frame > frame; });
+    }
+    if (last_) {
+        last_ = std::min(*last_, frame);
+    }
+}
+
+void Probes::clearSamples() {
+    for (Series& series : series_) {
+        series.samples.clear();
+    }
+    last_.reset();
+}
+
+} // namespace trembler::insight

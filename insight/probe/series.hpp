@@ -1,0 +1,57 @@
+// A number of the world over time.
+#pragma once
+
+#include "insight/probe/watch.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace trembler::insight {
+
+/// A value in a frame.
+struct Sample {
+    std::uint64_t frame = 0;
+    double value = 0;
+};
+
+/// One line of a plot.
+struct Series {
+    std::string name;            ///< as asked for: "ball.velocity.x"
+    std::string unit;            ///< empty: a pure number
+    std::vector<Sample> samples; ///< ascending by frame; frames without a value are left out
+
+    /// The value in the latest frame not after `frame`; nothing before the first sample.
+    [[nodiscard]] std::optional<double> at(std::uint64_t frame) const;
+};
+
+/// Numbers of objects that are read frame by frame. Texts are left out. Not thread-safe.
+class Probes {
+public:
+    /// Adds a field, see watch::find(), which throws std::invalid_argument. Its series are empty.
+    void add(World const& world, std::vector<watch::WatchedField> const& fields, std::string const& what);
+    /// Whether there is one of that name.
+    [[nodiscard]] bool has(std::string_view what) const;
+    void remove(std::string_view what);
+
+    /// Reads all of them in a world, which is in this frame. Frames must ascend.
+    void look(World const& world, std::uint64_t frame);
+    /// Forgets all samples after a frame.
+    void forgetAfter(std::uint64_t frame);
+    void clearSamples();
+
+    [[nodiscard]] std::span<watch::Watch const> watches() const { return watches_; }
+    /// One for each number: a vector has two.
+    [[nodiscard]] std::vector<Series> const& series() const { return series_; }
+    /// The last frame that look() was called for.
+    [[nodiscard]] std::optional<std::uint64_t> last() const { return last_; }
+
+private:
+    std::vector<watch::Watch> watches_;
+    std::vector<Series> series_; // in the order of watches_
+    std::optional<std::uint64_t> last_;
+};
+
+} // namespace trembler::insight

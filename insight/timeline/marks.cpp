@@ -1,0 +1,160 @@
+#include "insight/timeline/marks.hpp"
+
+#include "audio/effect/properties/sounds.hpp"
+#include "physics/dynamics/properties/contacts.hpp"
+#include "physics/dynamics/properties/motion_causes.hpp"
+#include "physics/electricity/properties/electrical.hpp"
+#include "physics/electricity/properties/ratings.hpp"
+#include "physics/magnetism/properties.hpp"
+#include "runtime/input/input_resolver.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace trembler::insight {
+namespace {
+
+constexpr double hearingThreshold = 20e-6; // Pa, of 0 dB
+
+} // namespace
+
+void Marks::clear() {
+    marks_.clear();
+    latest_.clear();
+    blown_.clear();
+}
+
+void Marks::forgetAfter(std::uint64_t frame) {
+    std::erase_if(marks_, [frame](Mark const& mark) { return mark.frame > frame; });
+    std::erase_if(latest_, [frame](auto const& each) { return each.second > frame; });
+    blown_.clear();
+}
+
+void Marks::look(World const& world, GoalJudge const& judge) {
+    if (!marks_.empty() && world.frame() <= marks_.back().frame) {
+        return; // it was seen before the run was begun again
+    }
+    lookAtContacts(world);
+    lookAtElectricity(world);
+    lookAtSounds(world);
+    lookAtBreaks(world);
+    if (auto const* const commands = world.find<PlayerCommands>()) {
+        for (PlayerCommands::Cut const& cut : commands->cuts) {
+            add(world, MarkKind::cut, {cut.a, cut.b}, cut.event);
+        }
+        for (PlayerCommands::Removal const& removal : commands->removals) {
+            add(world, MarkKind::cut, {removal.object}, removal.event);
+        }
+    }
+    for (std::size_t i = 0; i < judge.status().size(); ++i) {
+        GoalStatus const& goal = judge.status()[i];
+        if (goal.frame == world.frame()) {
+            add(world, MarkKind::goal, judge.objects(i), {}, goal.id);
+        }
+    }
+}
+
+void Marks::add(World const& world, MarkKind kind, std::vector<ObjectId> const& objects, EventId event,
+                std::string goal) {
+    Mark mark{world.frame(), kind, {}, std::move(goal), event};
+    for (ObjectId const object : objects) {
+        mark.objects.push_back(world.store().nameOf(object));
+    }
+    Key key{kind, mark.objects};
+    key.second.push_back(mark.goal);
+    auto const [at, isFirst] = latest_.try_emplace(std::move(key), mark.frame);
+    bool const isNews = isFirst || mark.frame > at->second + quiet;
+    at->second = mark.frame;
+    if (isNews) {
+        marks_.push_back(std::move(mark));
+    }
+}
+
+void Marks::lookAtContacts(World const& world) {
+    auto const* const contacts = world.find<Contacts>();
+    auto const* const conductors = world.store().findColumn<Conductor>();
+    if (contacts == nullptr || conductors == nullptr || conductors->empty()) {
+        return;
+    }
+    auto const note = [&](std::vector<TouchingPair> const& pairs, MarkKind kind) {
+        for (TouchingPair const& pair : pairs) {
+            if (conductors->has(pair.a) && conductors->has(pair.b)) {
+                add(world, kind, {pair.a, pair.b}, pair.event);
+            }
+        }
+    };
+    note(contacts->begun, MarkKind::contact);
+    note(contacts->brief, MarkKind::contact);
+    note(contacts->ended, MarkKind::parted);
+}
+
+void Marks::lookAtElectricity(World const& world) {
+    auto const* const state = world.find<ElectricalState>();
+    if (state == nullptr || state->frame != world.frame()) {
+        return; // its lists are of an earlier frame
+    }
+    auto const shows = [&](ObjectId object) {
+        return world.find<ElectricalDevice>(object) != nullptr ||
+               world.find<Electromagnet>(object) != nullptr;
+    };
+    for (ObjectId const object : state->switchedOn) {
+        if (shows(object)) {
+            add(world, MarkKind::on, {object}, state->eventOf(object));
+        }
+    }
+    for (ObjectId const object : state->switchedOff) {
+        if (shows(object)) {
+            add(world, MarkKind::off, {object}, state->eventOf(object));
+        }
+    }
+}
+
+void Marks::lookAtSounds(World const& world) {
+    auto const* const sounds = world.find<Sounds>();
+    if (sounds == nullptr || sounds->frame != world.frame()) {
+        return;
+    }
+    double const least = std::pow(10, leastLevel / 10) * hearingThreshold * hearingThreshold; // Pa²
+    for (Sounds::Impact const& impact : sounds->impacts) {
+        if (impact.meanSquare >= least) {
+            add(world, MarkKind::sound, {impact.object}, {});
+        }
+    }
+    for (Sounds::Recording const& recording : sounds->recordings) {
+        if (recording.elapsed <= frameDuration) {
+            add(world, MarkKind::sound, {recording.object}, recording.event);
+        }
+    }
+}
+
+void Marks::lookAtBreaks(World const& world) {
+    if (auto const* const overloaded = world.find<OverloadedJoints>()) {
+        for (OverloadedJoints::Entry const& entry : overloaded->entries) {
+            add(world, MarkKind::broken, {entry.joint}, entry.event);
+        }
+    }
+    auto const* const fuses = world.store().findColumn<Fuse>();
+    for (std::size_t row = 0; fuses != nullptr && row < fuses->size(); ++row) {
+        bool const blown = fuses->values()[row].blown;
+        ObjectId const owner = fuses->owners()[row];
+        auto const [at, isFirst] = blown_.try_emplace(world.store().nameOf(owner), blown);
+        if (blown && !at->second && !isFirst) {
+            add(world, MarkKind::broken, {owner}, {});
+        }
+        at->second = blown;
+    }
+}
+
+Mark const* Marks::after(std::uint64_t frame) const {
+    auto const at = std::upper_bound(marks_.begin(), marks_.end(), frame,
+                                     [](std::uint64_t f, Mark const& mark) { return f < mark.frame; });
+    return at == marks_.end() ? nullptr : &*at;
+}
+
+Mark const* Marks::before(std::uint64_t frame) const {
+    auto const at = std::lower_bound(marks_.begin(), marks_.end(), frame,
+                                     [](Mark const& mark, std::uint64_t f) { return mark.frame < f; });
+    return at == marks_.begin() ? nullptr : &*(at - 1);
+}
+
+} // namespace trembler::insight

@@ -1,0 +1,226 @@
+// Looking back in a run, and going on from any moment of it, with real input events.
+#include "game/ui/play/timeline/probe_panel.hpp"
+#include "game/ui/play/timeline/timeline.hpp"
+#include "runtime/placement.hpp"
+#include "tests/game/ui/player.hpp"
+
+#include <map>
+
+namespace trembler::ui::test {
+namespace timeline_test {
+namespace {
+
+auto const firstContact = levelsFolder() / "first/1-first-contact.json";
+auto const doorbell = levelsFolder() / "experiments/2-doorbell.json";
+
+/// Runs the level as won by a steel bar; the hash of the world after each frame.
+std::map<std::uint64_t, std::uint64_t> runFirstContact(Player& player, std::uint64_t frames) {
+    player.open(firstContact);
+    player.drag(player.item("part steel bar"), player.at({-1.8, 1.2}));
+    std::map<std::uint64_t, std::uint64_t> hashes;
+    for (std::uint64_t i = 0; i < frames; ++i) {
+        player.key(SDLK_f);
+        hashes[player.session().world().frame()] = player.session().world().stateHash();
+    }
+    return hashes;
+}
+
+TEST(Timeline, ShowsAnyMomentAndComesBackToThePresent) {
+    Player player;
+    auto const hashes = runFirstContact(player, 90);
+    Timeline& timeline = player.play().timeline();
+    EXPECT_FALSE(player.showsCard("timeline"));
+    player.key(SDLK_k);
+    player.frames(2);
+    ASSERT_TRUE(player.showsCard("timeline"));
+    EXPECT_FALSE(timeline.looksBack());
+    player.key(SDLK_PAGEUP);
+    EXPECT_EQ(timeline.frame(), 89U);
+    player.key(SDLK_LEFT);
+    EXPECT_EQ(timeline.frame(), 88U);
+    player.key(SDLK_PAGEUP, KMOD_LSHIFT);
+    EXPECT_EQ(timeline.frame(), 78U);
+    player.key(SDLK_HOME);
+    EXPECT_EQ(timeline.frame(), 0U);
+    player.key(SDLK_RIGHT);
+    EXPECT_EQ(timeline.frame(), 1U);
+    EXPECT_EQ(player.session().world().frame(), 90U) << "the session stands still";
+    EXPECT_EQ(player.session().world().stateHash(), hashes.at(90));
+    player.key(SDLK_END);
+    EXPECT_FALSE(timeline.looksBack());
+    EXPECT_EQ(timeline.frame(), 90U);
+    EXPECT_EQ(&timeline.world(), &player.session().world());
+}
+
+TEST(Timeline, IsDraggedAlongWithTheMouse) {
+    Player player;
+    runFirstContact(player, 90);
+    player.key(SDLK_k);
+    player.frames(2);
+    Timeline& timeline = player.play().timeline();
+    auto const track = player.layout().item("timeline track");
+    ASSERT_TRUE(track);
+    player.moveTo({track->low.x + 2, track->middle().y + 6});
+    player.press();
+    player.frames(2);
+    EXPECT_EQ(timeline.frame(), 0U);
+    player.moveTo({track->middle().x, track->middle().y + 6});
+    player.frames(2);
+    EXPECT_NEAR(static_cast<double>(timeline.frame()), 45, 2);
+    player.release();
+    player.moveTo({track->middle().x, track->low.y - 60});
+    player.frames(2);
+    EXPECT_NEAR(static_cast<double>(timeline.frame()), 45, 2);
+    player.look("timeline-drag");
+}
+
+// A run that goes on from a moment of the past is to the bit the run that was there.
+TEST(Timeline, GoesOnFromAnyMomentDeterministically) {
+    for (std::uint64_t const from : {60U, 1U, 0U}) {
+        Player player;
+        auto const hashes = runFirstContact(player, 90);
+        Timeline& timeline = player.play().timeline();
+        player.key(SDLK_k);
+        timeline.seek(from);
+        ASSERT_EQ(timeline.frame(), from);
+        player.key(SDLK_u);
+        player.frames(4);
+        EXPECT_FALSE(timeline.looksBack());
+        EXPECT_FALSE(player.session().playing());
+        player.key(SDLK_p); // it has been running since
+        std::uint64_t const frame = player.session().world().frame();
+        ASSERT_GE(frame, from);
+        ASSERT_LT(frame, from + 20);
+        EXPECT_EQ(timeline.last(), frame);
+        while (player.session().world().frame() < 90) {
+            player.key(SDLK_f);
+            std::uint64_t const now = player.session().world().frame();
+            ASSERT_EQ(player.session().world().stateHash(), hashes.at(now)) << now;
+        }
+        timeline.seek(30); // what was before has not been lost
+        EXPECT_EQ(timeline.frame(), 30U);
+    }
+}
+
+TEST(Timeline, PlaysWhatWasRecordedAndRepeatsASection) {
+    Player player;
+    runFirstContact(player, 60);
+    Timeline& timeline = player.play().timeline();
+    player.key(SDLK_k);
+    player.key(SDLK_o);
+    player.frames(10);
+    EXPECT_TRUE(timeline.playing());
+    EXPECT_NEAR(static_cast<double>(timeline.frame()), 10, 3);
+    player.frames(70);
+    EXPECT_FALSE(timeline.playing()) << "it has come to its end";
+    EXPECT_EQ(player.session().world().frame(), 60U);
+    timeline.seek(20);
+    player.key(SDLK_j);
+    timeline.seek(30);
+    player.key(SDLK_j);
+    ASSERT_TRUE(timeline.loop());
+    EXPECT_EQ(timeline.loop()->first, 20U);
+    EXPECT_EQ(timeline.loop()->second, 30U);
+    player.key(SDLK_o);
+    for (int i = 0; i < 60; ++i) {
+        player.frame();
+        EXPECT_TRUE(timeline.playing());
+        EXPECT_GE(timeline.frame(), 20U);
+        EXPECT_LE(timeline.frame(), 30U);
+    }
+    player.key(SDLK_j);
+    EXPECT_FALSE(timeline.loop());
+}
+
+TEST(Timeline, ForgetsARunThatHasEnded) {
+    Player player;
+    runFirstContact(player, 30);
+    Timeline& timeline = player.play().timeline();
+    player.key(SDLK_k);
+    timeline.seek(10);
+    player.key(SDLK_SPACE); // stop
+    EXPECT_FALSE(timeline.looksBack());
+    player.frames(2);
+    EXPECT_FALSE(player.showsCard("timeline"));
+    EXPECT_EQ(timeline.last(), 0U);
+    player.key(SDLK_SPACE);
+    player.simulate(20);
+    EXPECT_GE(timeline.last(), 20U);
+}
+
+TEST(Timeline, MarksWhatSwitchesAndLeadsThere) {
+    Player player;
+    runFirstContact(player, 200);
+    Timeline& timeline = player.play().timeline();
+    bool on = false;
+    bool goal = false;
+    for (insight::Mark const& mark : timeline.marks().all()) {
+        on = on || mark.kind == insight::MarkKind::on;
+        goal = goal || mark.kind == insight::MarkKind::goal;
+    }
+    EXPECT_TRUE(on);
+    EXPECT_EQ(goal, player.session().solved());
+    timeline.seek(0);
+    player.key(SDLK_PAGEDOWN, KMOD_LCTRL);
+    EXPECT_EQ(timeline.frame(), timeline.marks().all().front().frame);
+}
+
+// The same picture from the recording as from the world itself.
+TEST(Timeline, LooksAsItDid) {
+    Player player;
+    player.open(doorbell);
+    player.key(SDLK_k);
+    for (int i = 0; i < 80; ++i) {
+        player.key(SDLK_f);
+    }
+    player.frames(240); // rings and sparks have gone
+    player.look("timeline-present");
+    for (int i = 0; i < 3; ++i) {
+        player.key(SDLK_f);
+    }
+    player.play().timeline().seek(80);
+    player.frames(3);
+    player.look("timeline-past");
+}
+
+TEST(Probes, AreChosenPlottedAndWritten) {
+    for (render::Size const size : {render::Size{800, 600}, render::Size{1280, 720}}) {
+        Player player(size);
+        runFirstContact(player, 90);
+        player.key(SDLK_F4);
+        player.frames(2);
+        ASSERT_TRUE(player.showsCard("probe choice"));
+        EXPECT_FALSE(player.showsCard("probes"));
+        ObjectId const ball = player.session().world().store().find("iron ball");
+        player.click(player.at(player.session().world().find<Position>(ball)->value));
+        player.frames(3);
+        ASSERT_TRUE(player.shows("plot iron ball.velocity.length"));
+        player.clickItem("plot iron ball.velocity.length");
+        player.frames(2);
+        player.clickItem("plot iron ball.position.y");
+        player.frames(6);
+        ASSERT_TRUE(player.showsCard("probes"));
+        Timeline& timeline = player.play().timeline();
+        auto const& series = timeline.probes().probes().series();
+        ASSERT_EQ(series.size(), 2U);
+        ASSERT_EQ(series[1].samples.size(), 91U) << "the whole run, although it was asked for later";
+        EXPECT_EQ(series[1].at(90), player.session().world().find<Position>(ball)->value.y);
+        std::string const pixels = std::to_string(size.width);
+        player.look("probe-choice-" + pixels);
+        player.clickItem("save csv");
+        player.clickItem("save svg");
+        EXPECT_TRUE(std::filesystem::exists(player.films() / "plot-1.csv"));
+        EXPECT_TRUE(std::filesystem::exists(player.films() / "plot-1.svg"));
+        player.key(SDLK_F4);
+        timeline.seek(40);
+        player.frames(3);
+        player.look("probes-" + pixels);
+        player.clickItem("plots"); // the middle of the plots is about the middle of the run
+        EXPECT_NE(timeline.frame(), 40U);
+        std::filesystem::remove_all(player.films());
+    }
+}
+
+} // namespace
+} // namespace timeline_test
+} // namespace trembler::ui::test
