@@ -64,6 +64,9 @@ public:
     /// Computes one frame, in 1, 2, 4 or 8 equal parts, as the resolver property Frame parts states before
     /// the frame begins. In each part: advance every resolver, update every derived property set, apply every
     /// interaction. A component whose period n is not 1 has one turn in every nth frame, in its last part.
+    /// If a component throws, the exception is passed on and the rest of the frame is left out. The next
+    /// frame can be computed all the same: no call is carried out twice, and an interaction that threw has
+    /// made none in that turn.
     void step() { step({}); }
     /// The same for observers of states that may last for one part only: a lamp that lights for less than a
     /// frame. `look` is called after each part in which anything may have changed; in it, find() returns the
