@@ -121,8 +121,14 @@ bool drawColours(UiContext& context, Settings& settings) {
 /// Returns whether something was changed.
 bool drawRows(UiContext& context, Settings& settings) {
     bool touched = drawSizes(context, settings);
+    // In one row, so that the page fits into a window of the usual size.
+    ImGui::BeginGroup();
     touched = drawLanguages(context, settings) || touched;
+    ImGui::EndGroup();
+    ImGui::SameLine(0, scaled(18));
+    ImGui::BeginGroup();
     touched = drawColours(context, settings) || touched;
+    ImGui::EndGroup();
     touched = drawVolume(context, text("settings.volume"), "volume", settings.volume) || touched;
     touched = drawVolume(context, text("settings.touches"), "interface volume", settings.touches) || touched;
     touched = check(context, text("settings.hrtf"), "hrtf", settings.hrtf) || touched;

@@ -151,8 +151,8 @@ TEST(KeyboardAlone, SettingsAreChanged) {
     player.frames(2);
     ASSERT_EQ(player.app().menu().page(), MenuPage::settings);
     // The ring is at the first size.
-    for (int i = 0; i < 3; ++i) {
-        player.key(SDLK_DOWN); // languages, colours, volume: rows, not buttons
+    for (int i = 0; i < 2; ++i) {
+        player.key(SDLK_DOWN); // languages and colours, volume: rows, not buttons
     }
     player.key(SDLK_RIGHT);
     player.key(SDLK_RIGHT);
