@@ -31,62 +31,84 @@ std::vector<bool> toldSteps(Story const& story, std::vector<Proof> const& proofs
     return told;
 }
 
-/// For each told step its nearest told ancestors, without those that another one of them follows from.
-std::vector<std::vector<std::size_t>> toldCauses(Story const& story, std::vector<bool> const& told) {
-    std::size_t const count = story.steps.size();
-    std::vector<std::set<std::size_t>> nearest(count);   // told ancestors with nothing told in between
-    std::vector<std::set<std::size_t>> ancestors(count); // all told ancestors
-    for (std::size_t i = 0; i < count; ++i) {
+using StepSet = std::set<std::size_t>;
+
+/// The told ancestors of each step with nothing told in between.
+std::vector<StepSet> nearestTold(Story const& story, std::vector<bool> const& told) {
+    std::vector<StepSet> nearest(story.steps.size());
+    for (std::size_t i = 0; i < story.steps.size(); ++i) {
         for (std::size_t const cause : story.steps[i].because) {
             if (told[cause]) {
                 nearest[i].insert(cause);
-                ancestors[i].insert(cause);
             } else {
                 nearest[i].insert(nearest[cause].begin(), nearest[cause].end());
             }
-            ancestors[i].insert(ancestors[cause].begin(), ancestors[cause].end());
         }
     }
-    std::vector<std::vector<std::size_t>> result(count);
+    return nearest;
+}
+
+/// Leaves out of several contacts of a pair that follow from each other, as when something bounces, all but
+/// the last.
+void joinBounces(Story const& story, std::vector<bool>& told) {
+    std::vector<StepSet> const nearest = nearestTold(story, told);
+    for (std::size_t i = 0; i < story.steps.size(); ++i) {
+        for (std::size_t const cause : nearest[i]) {
+            Step const& before = story.steps[cause];
+            if (told[i] && story.steps[i].kind == StepKind::contact && before.kind == StepKind::contact &&
+                before.objects == story.steps[i].objects) {
+                told[cause] = false;
+            }
+        }
+    }
+}
+
+/// For each told step its nearest told ancestors, without those that another one of them follows from. The
+/// contacts that close a circuit are causes side by side: that one came before the other is no reason for it.
+std::vector<StepSet> toldCauses(Story const& story, std::vector<bool> const& told) {
+    std::size_t const count = story.steps.size();
+    std::vector<StepSet> nearest = nearestTold(story, told);
+    std::vector<StepSet> beside(count);
     for (std::size_t i = 0; i < count; ++i) {
         for (std::size_t const cause : nearest[i]) {
-            bool const indirect = std::any_of(nearest[i].begin(), nearest[i].end(), [&](std::size_t other) {
+            bool const closes =
+                story.steps[i].kind == StepKind::on && story.steps[cause].kind == StepKind::contact;
+            if (told[i] && closes) {
+                beside[cause].insert(nearest[i].begin(), nearest[i].end());
+            }
+        }
+    }
+    std::vector<StepSet> ancestors(count);
+    std::vector<StepSet> result(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        StepSet causes;
+        for (std::size_t const cause : nearest[i]) {
+            if (beside[i].contains(cause)) {
+                causes.insert(result[cause].begin(), result[cause].end()); // in its place, what led to it
+            } else {
+                causes.insert(cause);
+            }
+        }
+        for (std::size_t const cause : causes) {
+            ancestors[i].insert(cause);
+            ancestors[i].insert(ancestors[cause].begin(), ancestors[cause].end());
+        }
+        for (std::size_t const cause : causes) {
+            bool const indirect = std::any_of(causes.begin(), causes.end(), [&](std::size_t other) {
                 return ancestors[other].contains(cause);
             });
             if (!indirect) {
-                result[i].push_back(cause);
+                result[i].insert(cause);
             }
         }
     }
     return result;
 }
 
-/// A touch and the contact that follows it within this many frames are one thing to people.
-constexpr std::uint64_t bounce = 10;
-
-/// Leaves out of several contacts of a pair in quick succession all but the last.
-void joinBounces(Story const& story, std::vector<bool>& told) {
-    for (std::size_t i = 0; i < story.steps.size(); ++i) {
-        Step const& step = story.steps[i];
-        if (!told[i] || step.kind != StepKind::contact) {
-            continue;
-        }
-        for (std::size_t later = i + 1; later < story.steps.size(); ++later) {
-            Step const& other = story.steps[later];
-            bool const follows = std::binary_search(other.because.begin(), other.because.end(), i);
-            if (told[later] && other.kind == StepKind::contact && other.objects == step.objects && follows &&
-                other.frame <= step.frame + bounce) {
-                told[i] = false;
-                break;
-            }
-        }
-    }
-}
-
 void tell(Answer& answer, Story const& story, std::vector<Proof> const& proofs, bool everything) {
     std::vector<bool> told = toldSteps(story, proofs, answer.facts, everything);
     joinBounces(story, told);
-    std::vector<std::vector<std::size_t>> const causes = toldCauses(story, told);
+    std::vector<StepSet> const causes = toldCauses(story, told);
     std::vector<std::size_t> placeOf(story.steps.size());
     answer.confirmed = true;
     for (std::size_t i = 0; i < story.steps.size(); ++i) {
