@@ -11,10 +11,11 @@
 namespace trembler::insight {
 
 /// What solves a level, without places, numbers and times: which effects acted on which others in the chain
-/// of causes of the goals, which placed parts occur in it, and what the player did in the run.
+/// of causes of the goals, which parts the solution places, and what the player did in the run. To be made of
+/// a solution without superfluous parts, see needsOf(): the chain may end before a part that is needed.
 struct CauseGraph {
     bool solves = false;         ///< else the rest is empty
-    std::set<std::string> parts; ///< part definitions of the placed objects that the chain names
+    std::set<std::string> parts; ///< placed part definitions; "wire" if the player laid one
     std::set<std::string> deeds; ///< "grab", "cut", "remove"; those before the level was solved
     /// (cause, effect): titles of two different components, an event of the one among the causes of an event
     /// of the other.

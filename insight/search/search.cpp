@@ -20,6 +20,7 @@ namespace trembler::insight {
 namespace {
 
 constexpr std::size_t generation = 64; // trials
+constexpr double byChance = 0.25;      // of the attempts of a generation: the measure may mislead
 constexpr std::size_t mostParents = 40;
 constexpr std::size_t mostAlike = 5;      // parents with the same parts and deeds
 constexpr double farther = 0.3;           // added to the miss of what has the parts of a known solution
@@ -68,7 +69,7 @@ public:
         }
         trySolutions({Solution{}}, "empty");
         std::vector<Solution> const singles = singleParts();
-        std::size_t const most = std::min<std::size_t>(singles.size(), options_.runs / 2);
+        std::size_t const most = std::min<std::size_t>(singles.size(), options_.runs / 3);
         for (std::size_t begin = 0; begin < most && mayGoOn(); begin += generation) {
             std::vector<Solution> batch;
             for (std::size_t i = begin; i < std::min(most, begin + generation); ++i) {
@@ -83,7 +84,10 @@ public:
                 text += identityOf(parent.solution);
             }
             tryGeneration("mutation/" + hashText(XXH3_64bits(text.data(), text.size())),
-                          [&](CounterRandom& random) { return mutator_.changed(parents, random); });
+                          [&](CounterRandom& random) {
+                              return random.chance(byChance) ? randomSolution(level_, random)
+                                                             : mutator_.changed(parents, random);
+                          });
         }
         return std::move(result_);
     }

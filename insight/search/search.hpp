@@ -43,11 +43,12 @@ struct SearchResult {
     std::size_t places = 0; ///< of interest
 };
 
-/// First single parts in the level's places of interest, at most half of the runs; then, in generations of
-/// 64, changes of the nearest misses, by the measure of MissMeter. An attempt with the parts of a solution
-/// that is known already counts as farther off, so that other kinds are looked for. Every found solution is
-/// reduced to what it needs, and one of each kind is kept, see differ(). The result depends on the level, the
-/// options and the program only. If the workers are stopped, it is what was found so far.
+/// First single parts in the level's places of interest, at most a third of the runs; then, in generations of
+/// 64, changes of the nearest misses, and a quarter at random, by the measure of MissMeter. An attempt with
+/// the parts of a solution that is known already counts as farther off, so that other kinds are looked for.
+/// Every found solution is reduced to what it needs, and one of each kind is kept, see differ(). The result
+/// depends on the level, the options and the program only. If the workers are stopped, it is what was found
+/// so far.
 [[nodiscard]] SearchResult searchFor(LevelUnderTest const& level, SearchOptions const& options,
                                      Workers& workers);
 

@@ -7,6 +7,10 @@ if [[ ! -x build/trembler ]]; then
     exit 77
 fi
 page=docs/measurements/levels.md
+if [[ ! -e $page ]]; then
+    echo "$page has not been made: scripts/levels-report build/trembler >$page"
+    exit 77
+fi
 # Its sections follow each other in the page as well.
 short=$(scripts/levels-report build/trembler --short)
 if [[ $(<"$page") != *"$short"* ]]; then

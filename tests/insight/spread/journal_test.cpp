@@ -43,7 +43,8 @@ TEST_F(JournalFile, RefusesOtherFiles) {
         Journal const wrong(file, team);
         FAIL() << "a level is no journal";
     } catch (std::invalid_argument const& error) {
-        EXPECT_NE(std::string(error.what()).find("line 1"), std::string::npos) << error.what();
+        // Its first line, a brace, could be an entry that was cut off.
+        EXPECT_NE(std::string(error.what()).find("line 2"), std::string::npos) << error.what();
     }
 }
 
