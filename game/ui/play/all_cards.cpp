@@ -149,7 +149,8 @@ void drawPast(PlayParts& parts, CommandButtons& buttons, float bottom) {
         parts.lookAtPast();
         timeline.seek(*wanted);
     }
-    if (probes.choosing()) {
+    bool const panel = parts.components.open() || parts.modsPanel.open(); // in the same place
+    if (probes.choosing() && !panel) {
         ObjectId const object = parts.inspector.object(parts.session);
         std::string const name =
             object.valid() ? parts.session.world().store().nameOf(object) : std::string();

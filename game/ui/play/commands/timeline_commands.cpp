@@ -131,6 +131,10 @@ constexpr Command<PlayParts> timelineTable[] = {
              ProbePanel& probes = parts.timeline.probes();
              parts.timeline.setOpen(true);
              probes.setChoosing(!probes.choosing());
+             if (probes.choosing() && parts.components.open()) {
+                 parts.components.toggle();
+             }
+             parts.modsPanel.setOpen(false);
          },
      .available = inARun,
      .on = [](PlayParts const& parts) { return parts.timeline.probes().choosing(); }},

@@ -304,7 +304,7 @@ std::string ProbePanel::drawChoice(Layout& layout, World const& world, std::stri
     findFields();
     std::string wanted;
     layout.beginCard("probe choice", text("Plot"),
-                     {.anchor = Anchor::BottomRight, .offset = {cardGap, above}, .width = choiceWidth});
+                     {.anchor = Anchor::BottomLeft, .offset = {cardGap, above}, .width = choiceWidth});
     if (object.empty()) {
         caption(text("Click on an object: then its numbers are listed here."));
     } else {
