@@ -116,7 +116,9 @@ void ScriptedInteraction::applyScript(FrameContext const& context) {
     std::optional<ScriptError> failed;
     if (targets_.size() > mostPairs && script_->manifest.application == Application::pairs) {
         failed = ScriptError{
-            fmt::format("the script is applied to more than {} pairs of objects in a turn", mostPairs), {}, true};
+            fmt::format("the script is applied to more than {} pairs of objects in a turn", mostPairs),
+            {},
+            true};
     } else if (!targets_.empty() && !turns_) {
         turns_ = std::make_unique<Turns>(script_);
         failed = turns_->broken();

@@ -13,9 +13,9 @@
 
 namespace trembler {
 
-/// Every impact excites both bodies, for as long as the resolver finds by Hertz's law. If surfaces slide or roll on each other,
-/// their bumps make a noise of small impacts: a share of the friction, or of the load in rolling, with as
-/// many bumps per second as the rougher surface has over the distance covered.
+/// Every impact excites both bodies, for as long as the resolver finds by Hertz's law. If surfaces slide or
+/// roll on each other, their bumps make a noise of small impacts: a share of the friction, or of the load in
+/// rolling, with as many bumps per second as the rougher surface has over the distance covered.
 class SoundFromDynamics final
     : public Interaction<SoundFromDynamics, SoundRole,
                          Reads<Impacts, ContactPatches, Contacts, Shape, MadeOf, Acoustics, Sample, Mass,

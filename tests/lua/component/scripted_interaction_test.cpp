@@ -319,7 +319,8 @@ TEST(ScriptedInteraction, IsSwitchedOffWhereItHasTooManyPairs) {
     addBox(store, "box", {0, 50});
     run.world->start();
     run.steps(2);
-    EXPECT_EQ(run.game.messages(), "error: the script is applied to more than 100000 pairs of objects in a turn\n");
+    EXPECT_EQ(run.game.messages(),
+              "error: the script is applied to more than 100000 pairs of objects in a turn\n");
 }
 
 } // namespace
