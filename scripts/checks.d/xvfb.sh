@@ -32,6 +32,6 @@ DISPLAY=:$(<"$work/display")
 export DISPLAY HOME=$work/home TREMBLER_TEST_WINDOW=1
 export SDL_VIDEODRIVER=x11 SDL_AUDIODRIVER=dummy LIBGL_ALWAYS_SOFTWARE=1 LP_NUM_THREADS=0
 unset WAYLAND_DISPLAY XDG_DATA_HOME
-tests='FirstLesson.*:KeysAlone.*:KeyboardAlone.*:GamepadAlone.*:EditorGamepad.*:SecondPlayer.*:OneGamepad.*'
+tests='FirstLesson.*:KeysAlone.*:KeyboardAlone.*:GamepadAlone.*:EditorGamepad.*:SecondPlayer.*:OneGamepad.*:CommandsPage.*'
 tests+=':MouseOnTheField.*:Resizing.*:Program.ALevelIsChosenOnTheTitleScreen'
 "$program" --gtest_filter="$tests" --gtest_brief=1

@@ -53,9 +53,11 @@ bool drawVolume(UiContext& context, char const* label, char const* item, int& va
     return touched;
 }
 
+constexpr float choicePadding = 7; // above and below the words of a button
+
 /// One of several buttons in a row, of which one is on. Returns whether it was chosen.
 bool choiceButton(UiContext& context, char const* label, char const* item, bool on, bool first) {
-    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(scaled(7), scaled(7)));
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(scaled(7), scaled(choicePadding)));
     if (!first) {
         ImGui::SameLine(0, scaled(6));
     }
@@ -122,10 +124,13 @@ bool drawColours(UiContext& context, Settings& settings) {
 bool drawRows(UiContext& context, Settings& settings) {
     bool touched = drawSizes(context, settings);
     // In one row, so that the page fits into a window of the usual size.
+    float const top = ImGui::GetCursorPosY();
     ImGui::BeginGroup();
     touched = drawLanguages(context, settings) || touched;
     ImGui::EndGroup();
     ImGui::SameLine(0, scaled(18));
+    ImGui::SetCursorPosY(top -
+                         scaled(choicePadding)); // ImGui moves words to the middle of buttons in their row
     ImGui::BeginGroup();
     touched = drawColours(context, settings) || touched;
     ImGui::EndGroup();

@@ -29,10 +29,10 @@ inline render::Window& window() {
     auto& slot = windowSlot();
     if (!slot) {
         bool const seen = std::getenv("TREMBLER_TEST_WINDOW") != nullptr;
-        slot = std::make_unique<render::Window>(render::WindowOptions{
-            .size = {1280, 720},
-            .mode = seen ? render::WindowMode::Visible : render::WindowMode::Offscreen,
-            .waitForScreen = false});
+        slot = std::make_unique<render::Window>(
+            render::WindowOptions{.size = {1280, 720},
+                                  .mode = seen ? render::WindowMode::Visible : render::WindowMode::Offscreen,
+                                  .waitForScreen = false});
     }
     return *slot;
 }
