@@ -187,7 +187,8 @@ std::optional<std::size_t> drawPlayCards(PlayParts& parts, CommandSet const& com
     // While it runs the card covers as little as possible, unless hints are being read.
     bool const inPlay = !parts.run.building() && parts.hintsShown == 0;
     Beside const beside = cardsBeside(parts);
-    if (beside.goal) {
+    bool const choosing = parts.timeline.shown() && parts.timeline.probes().choosing();
+    if (beside.goal && !(choosing && beside.narrow)) { // the card of plots takes its room
         drawGoalCard(layout, session,
                      {.said = &parts.said,
                       .hintsShown = parts.hintsShown,

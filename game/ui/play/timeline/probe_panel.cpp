@@ -138,7 +138,8 @@ void drawLine(Plot const& plot, Panel const& panel, Series const& series, ImU32 
             }
         }
     }
-    plot.list.PushClipRect(plot.low, plot.high, true);
+    float const edge = scaled(2); // the line of the greatest value is as wide as others
+    plot.list.PushClipRect({plot.low.x, plot.low.y - edge}, {plot.high.x, plot.high.y + edge}, true);
     plot.list.AddPolyline(path.data(), static_cast<int>(path.size()), colour, 0, scaled(1.6F));
     plot.list.PopClipRect();
 }
@@ -269,21 +270,24 @@ std::optional<std::uint64_t> ProbePanel::draw(Layout& layout, std::uint64_t fram
                         std::max<std::uint64_t>(last, 1)};
         drawGrid(plot, panel);
         list.AddText({origin.x + scaled(8), plot.low.y}, imColour(palette::ink), panel.unit.c_str());
-        list.PushClipRect({right, top}, {origin.x + scaled(width - 4), top + each}, true);
         for (std::size_t i = 0; i < panel.series.size(); ++i) {
             Series const& series = *panel.series[i];
             drawLine(plot, panel, series, lineColour(i));
+            if (auto const value = series.at(frame)) {
+                list.AddCircleFilled({plot.x(frame), plot.y(panel, *value)}, scaled(3), lineColour(i));
+            }
+        }
+        list.PushClipRect({right, top}, {origin.x + scaled(width - 4), top + each}, true);
+        for (std::size_t i = 0; i < panel.series.size(); ++i) {
             float const y = plot.low.y + static_cast<float>(i) * line;
             if (y + line > top + each) {
-                continue; // there is no room for its words
+                break; // there is no room for its words
             }
+            Series const& series = *panel.series[i];
             auto const value = series.at(frame);
             std::string const words =
                 (value ? shownNumber(*value) : std::string("–")) + "  " + labelOf(series.name);
             list.AddText({right + scaled(8), y}, lineColour(i), words.c_str());
-            if (value) {
-                list.AddCircleFilled({plot.x(frame), plot.y(panel, *value)}, scaled(3), lineColour(i));
-            }
         }
         list.PopClipRect();
         list.AddLine({plot.x(frame), plot.low.y}, {plot.x(frame), plot.high.y},
