@@ -16,8 +16,8 @@ struct CircuitGap {
     ObjectId a;
     ObjectId b;
     double width = 0; ///< m
-    Vec2 from;        ///< m, in the world, on a
-    Vec2 to;          ///< m, on b
+    Vec2 from{};      ///< m, in the world, on a
+    Vec2 to{};        ///< m, on b
     std::string nameA{};
     std::string nameB{};
 };

@@ -29,20 +29,20 @@ constexpr std::size_t linesOfTip = 6;
 struct MarkLook {
     Phrase name;
     Icon icon;
-    Colour colour;
-    int rank; ///< of several at one place the highest is drawn
+    Colour const* colour; ///< of the palette in use
+    int rank;             ///< of several at one place the highest is drawn
 };
 
 /// By MarkKind.
 constexpr std::array<MarkLook, insight::markKinds> looks{{
-    {"Contact", Icon::Contact, palette::ink, 3},
-    {"Contact opened", Icon::Contact, palette::deadWire, 2},
-    {"On", Icon::Bolt, palette::northPole, 5},
-    {"Off", Icon::Bolt, palette::deadWire, 4},
-    {"Sound", Icon::Record, palette::sound, 1},
-    {"Broken", Icon::Cross, palette::warning, 7},
-    {"Cut through", Icon::Scissors, palette::warning, 6},
-    {"Goal reached", Icon::Tick, palette::goal, 8},
+    {"Contact", Icon::Contact, &palette::ink, 3},
+    {"Contact opened", Icon::Contact, &palette::deadWire, 2},
+    {"On", Icon::Bolt, &palette::northPole, 5},
+    {"Off", Icon::Bolt, &palette::deadWire, 4},
+    {"Sound", Icon::Record, &palette::sound, 1},
+    {"Broken", Icon::Cross, &palette::warning, 7},
+    {"Cut through", Icon::Scissors, &palette::warning, 6},
+    {"Goal reached", Icon::Tick, &palette::goal, 8},
 }};
 
 MarkLook const& lookOf(Mark const& mark) {
@@ -110,8 +110,8 @@ Mark const* drawMarks(ImDrawList& list, Timeline const& timeline, Track const& t
         float const x = track.x(mark.frame);
         MarkLook const& look = lookOf(mark);
         list.AddLine({x, track.marks() + scaled(6)}, {x, track.bar() - scaled(3)},
-                     imColour(faded(look.colour, 0.45F)), scaled(1.2F));
-        drawIcon(list, look.icon, {x, track.marks()}, scaled(11), imColour(look.colour));
+                     imColour(faded(*look.colour, 0.45F)), scaled(1.2F));
+        drawIcon(list, look.icon, {x, track.marks()}, scaled(11), imColour(*look.colour));
         if (inLane && std::abs(mouse.x - x) < scaled(0.5F * perMark)) {
             under = &mark;
             tipOf(heap);
