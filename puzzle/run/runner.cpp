@@ -12,6 +12,7 @@ RunReport run(Session& session, std::string levelName, RunOptions const& options
     RunReport report;
     report.level = std::move(levelName);
     session.stop();
+    report.warnings = refusedPlaces(session);
     if (options.enter) {
         options.enter(session);
     }
@@ -51,7 +52,9 @@ RunReport run(Session& session, std::string levelName, RunOptions const& options
     report.solved = report.solvedFrame.has_value();
     report.stateHash = world.stateHash();
     report.effects = world.status();
-    report.warnings = warningsOf(world);
+    for (std::string& warning : warningsOf(world)) {
+        report.warnings.push_back(std::move(warning));
+    }
     for (GoalStatus const& goal : session.judge().status()) {
         report.goals.push_back({goal.id, goal.text, goal.met, goal.frame});
     }

@@ -36,4 +36,19 @@ std::vector<std::string> warningsOf(World const& world) {
     return warnings;
 }
 
+std::vector<std::string> refusedPlaces(Session const& session) {
+    std::vector<std::string> warnings;
+    if (session.mode() != SessionMode::building) {
+        return warnings;
+    }
+    for (PlacedPart const& part : session.placed()) {
+        if (Verdict const verdict = session.check(part.placement, part.number); !verdict.ok) {
+            warnings.push_back(fmt::format("a player cannot place the {} at ({:.3g}, {:.3g}): {}",
+                                           session.world().store().nameOf(session.objectOf(part.number)),
+                                           part.placement.at.x, part.placement.at.y, verdict.why));
+        }
+    }
+    return warnings;
+}
+
 } // namespace trembler

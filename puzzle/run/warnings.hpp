@@ -1,7 +1,7 @@
-// Warnings about a running world for players and authors: the world is still computed, but not as intended.
+// Warnings about a run for players and authors: the world is still computed, but not as intended.
 #pragma once
 
-#include "runtime/world/world.hpp"
+#include "puzzle/session/session.hpp"
 
 #include <string>
 #include <vector>
@@ -11,5 +11,9 @@ namespace trembler {
 /// One line for each warning about the present world: an engine that gave up, or an object that is held
 /// still. Usually none.
 [[nodiscard]] std::vector<std::string> warningsOf(World const& world);
+
+/// One line for each placed part that Session::check() refuses where it is: a recorded solution can state
+/// places where no player could put the part. Only for a session that is building; otherwise none.
+[[nodiscard]] std::vector<std::string> refusedPlaces(Session const& session);
 
 } // namespace trembler

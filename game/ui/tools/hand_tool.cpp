@@ -1,6 +1,8 @@
 #include "game/ui/tools/hand_tool.hpp"
 
+#include "game/ui/shared/texts.hpp"
 #include "physics/dynamics/properties/body.hpp"
+#include "physics/dynamics/properties/settings.hpp"
 #include "physics/dynamics/properties/shape.hpp"
 
 #include <utility>
@@ -12,6 +14,8 @@ namespace {
 constexpr double holdTime = 0.25;
 /// Distance within which a click hits a wire, pixels at UI scale 1.
 constexpr double wireReach = 10;
+char const* const& noHands = said("Your hands can move nothing in this level.");
+constexpr double noHandsTime = 2.5; // s, for which that is shown
 
 } // namespace
 
@@ -34,6 +38,11 @@ void HandTool::letGo() {
 bool HandTool::movable(ObjectId object) const {
     World const& world = session_.world();
     return world.find<Shape>(object) != nullptr && world.find<Fixed>(object) == nullptr;
+}
+
+bool HandTool::handless() const {
+    auto const* const hands = session_.world().store().findColumn<Hands>();
+    return hands != nullptr && !hands->empty() && hands->values().front().strength <= 0;
 }
 
 void HandTool::grab(Press const& press) {
@@ -79,8 +88,12 @@ std::optional<ObjectId> HandTool::update(Pointer const& pointer, ObjectId hovere
     bool const strayed = pointer.strayed(press_->screen) > dragThreshold;
     bool const lifted = !pointer.held;
     if (!lifted && movable(press_->object) && (strayed || press_->seconds > holdTime)) {
-        grab(*press_);
-        target_ = pointer.world;
+        if (handless()) {
+            toasts_.add(noHands, render::ToastKind::Trouble, noHandsTime);
+        } else {
+            grab(*press_);
+            target_ = pointer.world;
+        }
         press_.reset();
         return {};
     }

@@ -3,6 +3,7 @@
 
 #include "game/ui/shared/pointer.hpp"
 #include "puzzle/session/session.hpp"
+#include "render/panels/toasts.hpp"
 #include "render/scene/objects/wires.hpp"
 
 #include <optional>
@@ -15,7 +16,8 @@ namespace trembler::ui {
 class HandTool {
 public:
     /// `hand`: which of the two hands it is, 0 or 1.
-    explicit HandTool(Session& session, std::uint8_t hand = 0) : session_(session), hand_(hand) {}
+    HandTool(Session& session, render::Toasts& toasts, std::uint8_t hand = 0)
+        : session_(session), toasts_(toasts), hand_(hand) {}
 
     /// Handles one picture's mouse input; `hovered` is the object under the mouse. Returns the object that
     /// was clicked without being dragged: an invalid id for a click on empty space, nullopt if there was no
@@ -53,8 +55,11 @@ private:
     void cut(Pointer const& pointer);
     void grab(Press const& press);
     [[nodiscard]] bool movable(ObjectId object) const;
+    /// The world's hands have no strength: in such a level only what was placed acts.
+    [[nodiscard]] bool handless() const;
 
     Session& session_;
+    render::Toasts& toasts_;
     std::uint8_t hand_;
     std::optional<Press> press_;
     std::vector<PlayerInput> waiting_; // for the next frame

@@ -44,6 +44,9 @@ void DynamicsFromPlayer::pull(Access& access, Hand const& hand, bool both) {
     if (auto const& hands = access.read<Hands>(); !hands.empty()) {
         limit = std::min(limit, hands.values().front().strength);
     }
+    if (limit <= 0) {
+        return; // no hand: it must not slow down rotation either
+    }
     if (double const size = length(force); size > limit) {
         force *= limit / size;
     }

@@ -80,6 +80,19 @@ TEST_F(Verify, ReportsSolutionsThatEndOtherwise) {
     EXPECT_NE(failures[1].find("'miss'"), std::string::npos) << failures[1];
 }
 
+TEST_F(Verify, ReportsPartsWhereNoPlayerCouldPlaceThem) {
+    // Half in the floor, and half in the resting ball.
+    std::string const inFloor = R"({"name": "deep", "expect": "unsolved", "frames": 10,
+                                    "placements": [{"part": "steel ball", "at": [2, 0]}]})";
+    std::string const inBall = R"({"name": "inside", "expect": "unsolved", "frames": 1,
+                                   "placements": [{"part": "steel ball", "at": [0.1, 0.3]}]})";
+    std::string const said = lines(failuresOf({"", pushed, pushes + ", " + inFloor + ", " + inBall}));
+    EXPECT_NE(said.find("'deep': a player cannot place the steel ball"), std::string::npos) << said;
+    EXPECT_NE(said.find("at (2, 0): it would overlap the floor"), std::string::npos) << said;
+    EXPECT_NE(said.find("'inside': a player cannot place"), std::string::npos) << said;
+    EXPECT_EQ(said.find("'push': a player"), std::string::npos) << said;
+}
+
 TEST_F(Verify, ReportsALevelThatSolvesItself) {
     auto const failures = failuresOf({"", fallen, pushes});
     ASSERT_EQ(failures.size(), 1U) << lines(failures);

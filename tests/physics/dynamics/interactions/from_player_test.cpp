@@ -100,6 +100,20 @@ TEST_P(Hand, DoesNotMoveFixedObjectsAndReleasesRemovedOnes) {
     EXPECT_FALSE(scene.world->store().alive(ball));
 }
 
+TEST_P(Hand, WithoutStrengthDoesNothingAtAll) {
+    Scene scene;
+    scene.gravity = 0;
+    ObjectId const box = scene.body("box", boxPiece(0.4, 0.4), {0, 0});
+    scene.give(box, AngularVelocity{3});
+    scene.give(scene.fixed("strength", boxPiece(0.1, 0.1), {9, 9}), Hands{0});
+    scene.run(1);
+    scene.world->feed(input(PlayerInput::Kind::grab, box, {0, 0}));
+    scene.world->feed(input(PlayerInput::Kind::move, box, {1, 0}));
+    scene.run(60);
+    EXPECT_NEAR(scene.at(box).x, 0, 1e-9);
+    EXPECT_NEAR(scene.angle(box), 3 * 61 * frameDuration, 0.01) << "it does not brake either";
+}
+
 /// A box of that mass that the hands hold at its left and its right end and lift.
 double lifted(double mass, int hands, double gravity) {
     Scene scene;

@@ -9,7 +9,9 @@ namespace {
 
 class MouseOnTheField : public testing::Test {
 protected:
-    MouseOnTheField() {
+    explicit MouseOnTheField(char const* level = "experiments/1-switched-electromagnet.json")
+        : session(gameData().registry, gameData().parts,
+                  loadLevel(gameData().registry, levelsFolder() / level)) {
         view.setSubject(render::sceneFocus(session.world()));
         view.setView({1280, 720}, {});
     }
@@ -45,13 +47,11 @@ protected:
         return session.world().find<Position>(session.world().store().find(object))->value;
     }
 
-    Session session{
-        gameData().registry, gameData().parts,
-        loadLevel(gameData().registry, levelsFolder() / "experiments/1-switched-electromagnet.json")};
+    Session session;
     render::Toasts toasts;
     PlacingTool placing{session, toasts};
-    HandTool hand{session};
-    HandTool second{session, 1};
+    HandTool hand{session, toasts};
+    HandTool second{session, toasts, 1};
     CameraControl view;
     Inspector inspector;
     Picking picking{session, inspector};
@@ -124,6 +124,30 @@ TEST_F(MouseOnTheField, AnObjectIsGrabbedExceptDuringAReplay) {
     press(lever, true);
     move(lever + Vec2{0, 0.1}, {0, -10}, true);
     EXPECT_NE(view.camera().centre, before);
+}
+
+class MouseWithoutStrength : public MouseOnTheField {
+protected:
+    MouseWithoutStrength() : MouseOnTheField("first/2-into-the-basket.json") {}
+};
+
+TEST_F(MouseWithoutStrength, GrabsNothingAndSaysSo) {
+    session.start();
+    session.step();
+    Vec2 const ball = placeOf("ball");
+    press(ball);
+    EXPECT_EQ(toasts.count(), 0U) << "a click inspects, as ever";
+    for (int i = 1; i <= 4; ++i) {
+        move(ball + Vec2{0, 0.1 * i}, {0, -10});
+    }
+    EXPECT_EQ(toasts.troubles(), 1U) << "once for each drag";
+    EXPECT_FALSE(hand.held().valid());
+    hand.beforeStep();
+    EXPECT_TRUE(session.inputs().empty());
+    release(ball);
+    press(ball);
+    release(ball);
+    EXPECT_EQ(inspector.name(), "ball");
 }
 
 } // namespace

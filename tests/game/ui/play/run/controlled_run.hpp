@@ -14,7 +14,7 @@ struct Controlled {
         loadLevel(gameData().registry, levelsFolder() / "experiments/1-switched-electromagnet.json")};
     render::Toasts toasts;
     PlacingTool placing{session, toasts};
-    HandTool hand{session};
+    HandTool hand{session, toasts};
     budget::BudgetMode budget{gameData().registry};
     LevelAudio audio{nullptr};
     CameraControl view;
