@@ -19,11 +19,11 @@ LevelFile levelOf(std::string const& name) {
     return loadLevel(runsData().registry, runsData().home / "levels" / (name + ".json"));
 }
 
-constexpr char const* firstContact = "first/1-first-contact";
+constexpr char const* firstContactFile = "first/1-first-contact";
 constexpr char const* experiment1 = "experiments/1-switched-electromagnet";
 
 TEST(LevelRuns, EndAsTheSessionsRunsDo) {
-    LevelFile const level = levelOf(firstContact);
+    LevelFile const level = levelOf(firstContactFile);
     LevelRuns const runs(runsData(), level);
     for (Solution const& solution : level.solutions) {
         RunResult const result = runs.run({solution}, {.frames = 200, .stopWhenSolved = false});
@@ -56,7 +56,7 @@ TEST(LevelRuns, AreTheSameInSeveralThreadsAtOnce) {
 }
 
 TEST(LevelRuns, WithoutAPlacementTheLevelIsNotSolved) {
-    LevelFile const level = levelOf(firstContact);
+    LevelFile const level = levelOf(firstContactFile);
     LevelRuns const runs(runsData(), level);
     Solution const& solution = *level.findSolution("the spanner");
     EXPECT_TRUE(runs.run({solution}, {}).solved);
