@@ -218,7 +218,7 @@ struct Sleeper final : Interaction<Sleeper<number, calls>, DynamicsRole, Reads<W
         if constexpr (calls) {
             forEach(
                 [&](ObjectId id, Weight const&) {
-                    access.call(AddForceToPoint{.object = id, .force = {0, 1e-3}});
+                    access.call(AddForceToPoint{.object = id, .point = {}, .force = {0, 1e-3}});
                 },
                 access.template read<Weight>());
         }
@@ -232,7 +232,7 @@ struct Waker final : Interaction<Waker, DynamicsRole, Reads<Weight>> {
     void apply(Access& access) {
         forEach(
             [&](ObjectId id, Weight const&) {
-                access.call(AddForceToPoint{.object = id, .force = {0, 1e-3}});
+                access.call(AddForceToPoint{.object = id, .point = {}, .force = {0, 1e-3}});
             },
             access.read<Weight>());
     }

@@ -1,7 +1,10 @@
 // What it costs to trace a run, of which `trembler why` is made: time of all frames of each level hands off,
 // with and without a trace. Without one, an event costs a test of a null pointer. Wall time, medians, one
 // thread.
-#include "bench/kit.hpp"
+#include "bench/measure.hpp"
+#include "puzzle/data/game_data.hpp"
+#include "puzzle/session/session.hpp"
+#include "runtime/level/read/read_level.hpp"
 
 #include <algorithm>
 #include <vector>

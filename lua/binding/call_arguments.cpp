@@ -107,7 +107,11 @@ private:
         put(place, vector);
     }
     [[noreturn]] void refuseType(FieldPlace const& place, int index, std::string const& expected) {
-        refuse(place, "is " + kindAt(index), inItsUnit(place, expected));
+        if (objectAt_(L_, index)) {
+            refuse(place, "is an object", inItsUnit(place, expected));
+        }
+        std::string const kind = kindOf(L_, index);
+        refuse(place, kind == "nil" ? "is nil" : fmt::format("is a {}", kind), inItsUnit(place, expected));
     }
     /// "a number": what stands there, for people.
     [[nodiscard]] std::string kindAt(int index) const {

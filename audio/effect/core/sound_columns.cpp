@@ -3,6 +3,8 @@
 #include "audio/effect/core/contact_pulse.hpp"
 #include "physics/dynamics/properties/shape_rules.hpp"
 
+#include <utility>
+
 namespace trembler {
 
 BodyFacts SoundColumns::factsOf(ObjectId id) const {
@@ -28,6 +30,9 @@ BodyFacts SoundColumns::factsOf(ObjectId id) const {
 }
 
 double SoundColumns::contactTimeOf(ObjectId a, ObjectId b, double impulse) const {
+    if (b < a) {
+        std::swap(a, b); // both sounds of an impact have the same time, to the bit
+    }
     auto const materialAt = [this](ObjectId id) {
         MadeOf const* const of = madeOf.find(id);
         return of == nullptr ? Material::plastic : of->material;

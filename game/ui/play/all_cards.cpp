@@ -125,7 +125,7 @@ void savePlot(PlayParts& parts, std::string const& ending) {
     ProbePanel const& probes = parts.timeline.probes();
     try {
         std::string const content = ending == ".csv" ? probes.csv() : probes.svg(parts.timeline.last());
-        auto const path = context.recorder.text("plot", ending.c_str(), content);
+        auto const path = context.recorder.writeText("plot", ending.c_str(), content);
         context.toasts.add(textWith("Saved: {}", path.string()), render::ToastKind::News, 6);
     } catch (std::runtime_error const& error) {
         context.toasts.add(translated(error.what()), render::ToastKind::Trouble, 6);

@@ -43,7 +43,7 @@ fs::path Recorder::clip(render::AnimatedWebp& clip, std::int64_t milliseconds) c
     return path;
 }
 
-fs::path Recorder::text(std::string const& name, char const* ending, std::string const& content) const {
+fs::path Recorder::writeText(std::string const& name, char const* ending, std::string const& content) const {
     prepare();
     fs::path path = fresh(folder_, name, ending);
     OutputFile file(path);

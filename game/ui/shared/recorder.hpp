@@ -22,9 +22,10 @@ public:
     /// Writes a clip, "clip-1.webp" and so on, whose last picture is shown until `milliseconds`; returns its
     /// path. Throws RenderError or OutputError.
     [[nodiscard]] std::filesystem::path clip(render::AnimatedWebp& clip, std::int64_t milliseconds) const;
-    /// Writes a text, NAME-1 with that ending and so on, and returns its path. Throws RenderError or OutputError.
-    [[nodiscard]] std::filesystem::path text(std::string const& name, char const* ending,
-                                             std::string const& content) const;
+    /// Writes a text, NAME-1 with that ending and so on, and returns its path. Throws RenderError or
+    /// OutputError.
+    [[nodiscard]] std::filesystem::path writeText(std::string const& name, char const* ending,
+                                                  std::string const& content) const;
     /// Writes a single picture, "picture-1.png" and so on, and returns its path. Throws RenderError.
     std::filesystem::path picture(render::Image const& image);
 

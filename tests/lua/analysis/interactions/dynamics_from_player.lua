@@ -80,6 +80,9 @@ local function pull(world, hand, both, out)
   if world.hands then
     limit = math.min(limit, world.hands.strength)
   end
+  if limit <= 0 then
+    return
+  end
   if size > limit then
     force = force * (limit / size)
   end

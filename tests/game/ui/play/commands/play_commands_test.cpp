@@ -121,7 +121,18 @@ TEST(Commands, UsualKeysStayAsTheyAre) {
                                                    {"restart", ""},
                                                    {"next-level", ""},
                                                    {"watch-again", ""},
-                                                   {"keep-playing", ""}};
+                                                   {"keep-playing", ""},
+                                                   {"timeline", "K"},
+                                                   {"frame-back", "PageUp"},
+                                                   {"frame-on", "PageDown"},
+                                                   {"mark-back", "Ctrl+PageUp"},
+                                                   {"mark-on", "Ctrl+PageDown"},
+                                                   {"past-start", "Ctrl+Home"},
+                                                   {"past-end", "End"},
+                                                   {"watch-past", "O"},
+                                                   {"probe", "F4"},
+                                                   {"loop-past", "J"},
+                                                   {"continue-here", "U"}};
     std::map<std::string, std::string> now;
     for (CommandInfo const* command : bindings.commands()) {
         if (command->id.starts_with("edit-")) {
