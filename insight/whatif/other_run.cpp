@@ -10,8 +10,8 @@
 namespace trembler::insight {
 namespace {
 
-constexpr double leastDistance = 2e-3; // m
-constexpr double leastTurn = 0.01;     // rad
+constexpr double leastApart = 2e-3;  // m
+constexpr double leastTurned = 0.01; // rad
 
 } // namespace
 
@@ -28,7 +28,7 @@ bool isElsewhere(Store const& real, Store const& other, ObjectId object) {
     Rotation const* const angleA = turnsA == nullptr ? nullptr : turnsA->find(object);
     Rotation const* const angleB = turnsB == nullptr ? nullptr : turnsB->find(object);
     double const turn = (angleA == nullptr ? 0 : angleA->angle) - (angleB == nullptr ? 0 : angleB->angle);
-    return length(a->value - b->value) > leastDistance || std::abs(turn) > leastTurn;
+    return length(a->value - b->value) > leastApart || std::abs(turn) > leastTurned;
 }
 
 OtherRun::OtherRun(Registry const& registry, Session const& session, WhatIf whatIf)
@@ -36,9 +36,8 @@ OtherRun::OtherRun(Registry const& registry, Session const& session, WhatIf what
       real_(buildAgain(registry, session)), other_(buildAgain(registry, session)) {
     real_->begin();
     other_->begin();
-    objectsOnly_ = std::any_of(whatIf_.changes.begin(), whatIf_.changes.end(), [](Change const& each) {
-        return each.kind == Change::Kind::interaction;
-    });
+    objectsOnly_ = std::any_of(whatIf_.changes.begin(), whatIf_.changes.end(),
+                               [](Change const& each) { return each.kind == Change::Kind::interaction; });
     if (whatIf_.frame == 0) {
         change();
     }

@@ -35,8 +35,15 @@ public:
 
 private:
     void add(FieldInfo const& info, FieldType type, FieldAmount const& now) {
-        into_.push_back({&property_, std::string(info.key), std::string(info.unit), std::string(info.meaning),
-                         type, info.minimum, info.maximum, {}, now});
+        into_.push_back({&property_,
+                         std::string(info.key),
+                         std::string(info.unit),
+                         std::string(info.meaning),
+                         type,
+                         info.minimum,
+                         info.maximum,
+                         {},
+                         now});
     }
 
     PropertyInfo const& property_;
