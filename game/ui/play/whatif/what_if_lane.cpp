@@ -75,10 +75,13 @@ std::optional<std::uint64_t> drawWhatIfLane(CommandButtons& buttons, Timeline co
     list.AddText({origin.x + scaled(10), middle - 0.5F * ImGui::GetTextLineHeight()}, colour,
                  text("What if"));
     ImGui::PopFont();
-    ImGui::PushFont(theme().fonts.small);
+    ImGui::PushFont(theme().fonts.strong);
     std::string const badge = text("does not count");
-    list.AddText({high + scaled(laneKnob + 12), middle - 0.5F * ImGui::GetTextLineHeight()}, colour,
-                 badge.c_str());
+    ImVec2 const words = ImGui::CalcTextSize(badge.c_str());
+    ImVec2 const at{high + scaled(laneKnob + 18), middle - 0.5F * words.y};
+    list.AddRectFilled({at.x - scaled(9), origin.y + scaled(3)},
+                       {at.x + words.x + scaled(9), origin.y + height - scaled(3)}, colour, scaled(8));
+    list.AddText(at, imColour(palette::paperLight), badge.c_str());
     ImGui::PopFont();
     layout.endCard();
     if (!held || high <= low) {

@@ -126,6 +126,7 @@ TEST(WhatIf, TheSecondHandPullsAndTheLastOneIsKept) {
     auto const differs = view.run()->firstDifference();
     ASSERT_TRUE(differs);
     player.key(SDLK_a);
+    player.frames(2);
     EXPECT_FALSE(player.showsCard("what if lane"));
     player.key(SDLK_a);
     await(player);
@@ -171,8 +172,8 @@ TEST(WhatIf, AGamepadDoesItAll) {
     Vec2 const from = ballAt(player);
     // The pointer of the keys goes to the ball, where A holds it.
     player.moveTo(player.at(from));
-    pad.press(player, SDL_CONTROLLER_BUTTON_DPAD_LEFT);
-    pad.press(player, SDL_CONTROLLER_BUTTON_DPAD_RIGHT);
+    pad.press(player, SDL_CONTROLLER_BUTTON_DPAD_UP);
+    pad.press(player, SDL_CONTROLLER_BUTTON_DPAD_DOWN);
     pad.press(player, SDL_CONTROLLER_BUTTON_A);
     pad.press(player, SDL_CONTROLLER_BUTTON_LEFTSTICK);
     await(player);
