@@ -141,12 +141,12 @@ void walkOthers(Player& player, Look const& look) {
     player.open(levelsFolder() / "5-everything/2-the-gate.json");
     restPointer(player);
     look("level-gate");
-    lookAtWhatIf(player, look);
     player.app().showTitle();
     player.frames(3);
     player.clickItem("free play");
     restPointer(player);
     look("free-play");
+    lookAtWhatIf(player, look);
 }
 
 void walkEditor(Player& player, Look const& look) {

@@ -23,7 +23,9 @@ using insight::SettableField;
 
 // Pixels at UI scale 1.
 constexpr float whatIfWidth = 300;
-constexpr float whatIfList = 132;  ///< height of what scrolls
+constexpr float whatIfList = 132; ///< height of what scrolls, if there is room
+constexpr float leastList = 64;
+constexpr float whatIfRest = 182;  ///< height of the rest of the card, and a gap
 constexpr float whatIfName = 132;  ///< of fields
 constexpr double dragShare = 0.01; ///< of a number, for each pixel
 
@@ -254,7 +256,9 @@ void drawWhatIfCard(CommandButtons& buttons, Session const& session, WhatIfView&
     layout.beginCard("what if", heading.c_str(),
                      {.anchor = Anchor::BottomLeft, .offset = {cardGap, above}, .width = whatIfWidth});
     ImGui::PushStyleColor(ImGuiCol_ChildBg, ImVec4(0, 0, 0, 0));
-    ImGui::BeginChild("changes", {0, scaled(whatIfList)});
+    float const screen = ImGui::GetIO().DisplaySize.y / theme().scale;
+    float const room = std::clamp(screen - above - whatIfRest, leastList, whatIfList);
+    ImGui::BeginChild("changes", {0, scaled(room)});
     if (view.whatIf().changes.empty()) {
         caption(text("Drag, turn or remove something, pull it with the second hand, or cut a wire."));
     }
