@@ -105,8 +105,9 @@ public:
     /// std::invalid_argument, listing the known names, if the effect or the level is unknown. Between frames
     /// only.
     void setDetail(std::string const& effect, std::string const& level);
-    /// Runs a component in every nth frame only, 1 <= n <= 3600. Throws std::invalid_argument if n is out of
-    /// range, or if no component or several have that title or name. Between frames only.
+    /// Runs a component in every nth frame only, 1 <= n <= 3600. With 0 an interaction is left out: it is not
+    /// applied any more, and the calls that it held are withdrawn. Throws std::invalid_argument if n is out
+    /// of range, or if no component or several have that title or name. Between frames only.
     void setPeriod(std::string const& componentTitle, int period);
     [[nodiscard]] WorldOptions const& options() const { return options_; }
 

@@ -23,10 +23,15 @@ void World::select() {
     for (auto const& [key, count] : wants_->counts()) {
         facts.subscribed.push_back(key);
     }
-    std::vector<Choice> const choices = selectComponents(graph_, facts);
+    std::vector<Choice> choices = selectComponents(graph_, facts);
     bool const onlookers = !facts.subscribed.empty();
     facts.subscribed.clear();
-    std::vector<Choice> const own = onlookers ? selectComponents(graph_, facts) : choices;
+    std::vector<Choice> own = onlookers ? selectComponents(graph_, facts) : choices;
+    for (std::size_t i = 0; i < entries_.size(); ++i) {
+        if (entries_[i].status.period == 0) { // left out, see setPeriod(); what it held is withdrawn
+            choices[i] = own[i] = {};
+        }
+    }
     std::vector<std::unique_ptr<Component>> made(entries_.size());
     for (std::size_t i = 0; i < entries_.size(); ++i) {
         if (choices[i].chosen() && !entries_[i].component) {

@@ -6,6 +6,7 @@
 
 #include <set>
 #include <stdexcept>
+#include <utility>
 
 namespace trembler {
 
@@ -49,7 +50,7 @@ void World::setDetail(std::string const& effect, std::string const& level) {
 }
 
 void World::setPeriod(std::string const& componentTitle, int period) {
-    if (period < 1 || period > 3600) {
+    if (period < 0 || period > 3600) {
         throw std::invalid_argument(
             fmt::format("the period of '{}' is {}; expected 1 to 3600 frames", componentTitle, period));
     }
@@ -77,13 +78,22 @@ void World::setPeriod(std::string const& componentTitle, int period) {
         throw std::invalid_argument(fmt::format("there is no component '{}'; the components are: {}",
                                                 componentTitle, fmt::join(titles, ", ")));
     }
+    bool const leftOut = period == 0;
+    if (leftOut && named.front()->status.info->kind != ComponentKind::interaction) {
+        throw std::invalid_argument(
+            fmt::format("the period of '{}' is 0; expected 1 to 3600 frames: only interactions can be left out",
+                        componentTitle));
+    }
     for (std::vector<Turn>& turns : turns_) {
         for (Turn& turn : turns) {
             wake(turn); // a component with a period does not have a turn in every part
         }
     }
-    named.front()->status.period = period;
+    bool const wasLeftOut = std::exchange(named.front()->status.period, period) == 0;
     options_.periods[title(*named.front()->status.info)] = period;
+    if (leftOut != wasLeftOut && knownStructure_ != 0) {
+        select();
+    }
 }
 
 } // namespace trembler

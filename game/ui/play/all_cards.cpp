@@ -4,6 +4,8 @@
 #include "game/ui/play/commands/command_sections.hpp"
 #include "game/ui/play/timeline/probe_panel.hpp"
 #include "game/ui/play/timeline/timeline_bar.hpp"
+#include "game/ui/play/whatif/what_if_card.hpp"
+#include "game/ui/play/whatif/what_if_lane.hpp"
 #include "game/ui/shared/texts.hpp"
 #include "game/ui/shared/words.hpp"
 #include "render/draw/palette.hpp"
@@ -141,8 +143,13 @@ void drawPast(PlayParts& parts, CommandButtons& buttons, float bottom) {
     ProbePanel& probes = timeline.probes();
     Layout& layout = parts.context.layout;
     auto wanted = drawTimelineBar(buttons, timeline);
+    if (parts.whatIf->active()) {
+        auto const pointed = drawWhatIfLane(buttons, timeline, *parts.whatIf);
+        wanted = pointed ? pointed : wanted;
+    }
     if (!probes.probes().watches().empty()) {
-        auto const pointed = probes.draw(layout, timeline.frame(), timeline.last());
+        float const above = bottomRow + timelineRow + timeline.lane();
+        auto const pointed = probes.draw(layout, above, timeline.frame(), timeline.last());
         wanted = pointed ? pointed : wanted;
     }
     if (wanted) {
@@ -158,6 +165,8 @@ void drawPast(PlayParts& parts, CommandButtons& buttons, float bottom) {
             !ending.empty()) {
             savePlot(parts, ending);
         }
+    } else if (parts.whatIf->active() && !panel) {
+        drawWhatIfCard(buttons, parts.session, *parts.whatIf, *parts.whatIfTool, bottom + 8);
     }
 }
 
@@ -187,7 +196,8 @@ std::optional<std::size_t> drawPlayCards(PlayParts& parts, CommandSet const& com
     // While it runs the card covers as little as possible, unless hints are being read.
     bool const inPlay = !parts.run.building() && parts.hintsShown == 0;
     Beside const beside = cardsBeside(parts);
-    bool const choosing = parts.timeline.shown() && parts.timeline.probes().choosing();
+    bool const choosing =
+        parts.timeline.shown() && (parts.timeline.probes().choosing() || parts.whatIf->active());
     if (beside.goal && !(choosing && beside.narrow)) { // the card of plots takes its room
         drawGoalCard(layout, session,
                      {.said = &parts.said,

@@ -1,6 +1,7 @@
 #include "game/ui/play/field_drawing.hpp"
 
 #include "game/ui/play/lesson/lesson_drawing.hpp"
+#include "game/ui/play/whatif/what_if_drawing.hpp"
 #include "game/ui/shared/scene_words.hpp"
 #include "game/ui/shared/words.hpp"
 #include "render/panels/world_label.hpp"
@@ -190,6 +191,10 @@ Marked markedObjects(PlayParts const& parts) {
         under.valid() && number && parts.run.building() && !carried) {
         Marked::add(marked.hovered, parts.session.objectsOf(*number));
     }
+    if (ObjectId const chosen = parts.session.world().store().find(parts.whatIfTool->chosen());
+        parts.whatIf->atMoment() && chosen.valid()) {
+        marked.selected.push_back(chosen);
+    }
     for (int const number : parts.group.chosen()) {
         Marked::add(parts.group.dragging() ? marked.hidden : marked.selected,
                     parts.session.objectsOf(number));
@@ -257,6 +262,7 @@ void drawField(PlayParts& parts) {
         drawWords(parts, true);
         return;
     }
+    drawWhatIf(canvas, world, *parts.whatIf, *parts.whatIfTool, parts.timeline.frame());
     drawNewWire(parts);
     drawBlades(parts);
     drawHandle(parts);

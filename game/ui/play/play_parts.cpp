@@ -1,6 +1,7 @@
 #include "game/ui/play/play_parts.hpp"
 
 #include "game/ui/cards/goal_counts.hpp"
+#include "game/ui/play/whatif/what_if_tool.hpp"
 #include "game/ui/shared/texts.hpp"
 #include "game/ui/shared/words.hpp"
 #include "puzzle/campaign/as_played.hpp"
@@ -38,6 +39,8 @@ PlayParts::PlayParts(UiContext& uiContext, std::filesystem::path levelFile,
       wires(session, context.toasts), hand(session, context.toasts), secondHand(session, context.toasts, 1),
       budget(data ? data->registry : context.registry), goals(session.level()),
       timeline(data ? data->registry : context.registry, session),
+      whatIf(std::make_shared<WhatIfView>(data ? data->registry : context.registry, session, timeline)),
+      whatIfTool(std::make_shared<WhatIfTool>(timeline, *whatIf)),
       goalCounts(ui::goalCounts(session.level())), said(session), audio(context.loudspeaker),
       touches(context.loudspeaker), run(session, placing, hand, budget, audio, view, runEvents()),
       lesson(session, !context.profile.solved(id)), keeper(context.builds, id),
@@ -83,6 +86,8 @@ RunEvents PlayParts::runEvents() {
             .stopped =
                 [this] {
                     timeline.stopped();
+                    whatIf->forget();
+                    whatIfTool->reset();
                     secondHand.reset();
                     sparks.reset();
                     cuts.reset();

@@ -38,6 +38,9 @@
 
 namespace trembler::ui {
 
+class WhatIfTool;
+class WhatIfView;
+
 /// Each part keeps its own state, which is not copied; here is only state that concerns several parts. Window
 /// thread only; the context must outlive it.
 struct PlayParts {
@@ -73,6 +76,8 @@ struct PlayParts {
     CutView cuts;
     GoalAreas goals;
     Timeline timeline;
+    std::shared_ptr<WhatIfView> const whatIf;     ///< never null
+    std::shared_ptr<WhatIfTool> const whatIfTool; ///< never null
     std::vector<int> goalCounts; ///< how often each goal needs something, see goal_counts.hpp
     LevelText said;              ///< what the level says
     LevelAudio audio;

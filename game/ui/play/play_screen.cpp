@@ -6,6 +6,7 @@
 #include "game/ui/play/commands/play_commands.hpp"
 #include "game/ui/play/field_drawing.hpp"
 #include "game/ui/play/lesson/lesson_drawing.hpp"
+#include "game/ui/play/whatif/what_if_tool.hpp"
 #include "game/ui/shared/texts.hpp"
 #include "game/ui/shared/words.hpp"
 #include "game/ui/tools/free_fit.hpp"
@@ -125,18 +126,22 @@ std::optional<ScreenRequest> PlayScreen::update(double seconds) {
         tellOfRefused(carryOutKeys(context.input.events(), context.keys, commands_));
     }
     auto const handle = parts_.handle();
+    bool const second = isHeld(context.input, context.keys, "second-hand");
     FieldMouse::Surroundings const around{handle ? std::optional(handle->at) : std::nullopt,
                                           parts_.run.watching(), parts_.timeline.looksBack(),
-                                          isHeld(context.input, context.keys, "second-hand")};
+                                          parts_.whatIfTool->update(parts_.pointer, second), second};
     parts_.picking.show(parts_.timeline.looksBack() ? &parts_.shownWorld() : nullptr);
     if (parts_.mouse.update(parts_.pointer, around, seconds)) {
         parts_.newWorld();
     }
     useSecondPlayer(seconds);
     parts_.timeline.pass(seconds, parts_.run.speed().now());
+    parts_.whatIf->pass();
     parts_.run.advance(seconds, parts_.film.recording());
-    if (auto const trouble = parts_.timeline.takeTrouble()) {
-        context.toasts.add(translated(*trouble), render::ToastKind::Trouble, 8);
+    for (auto const& trouble : {parts_.timeline.takeTrouble(), parts_.whatIf->takeTrouble()}) {
+        if (trouble) {
+            context.toasts.add(translated(*trouble), render::ToastKind::Trouble, 8);
+        }
     }
     tellOfSlowness();
     parts_.celebration.pass(seconds);
@@ -210,9 +215,9 @@ bool PlayScreen::still() const {
     bool const celebrates = parts_.celebration.showing() && parts_.celebration.age() < 5;
     bool const moves = lengthSquared(padDirection(parts_.context.input)) > 0;
     return sinceStep_ > ringsOut && !celebrates && !moves && !parts_.lesson.moving() &&
-           !parts_.timeline.moving() && !parts_.squash.moving() && !parts_.cuts.moving() &&
-           !parts_.secondPointer.moving() && parts_.sparks.sparks().empty() && !parts_.allBack.waiting() &&
-           !parts_.hasMods() && !parts_.budget.budget();
+           !parts_.timeline.moving() && !parts_.whatIf->moving() && !parts_.squash.moving() &&
+           !parts_.cuts.moving() && !parts_.secondPointer.moving() && parts_.sparks.sparks().empty() &&
+           !parts_.allBack.waiting() && !parts_.hasMods() && !parts_.budget.budget();
 }
 
 bool PlayScreen::keepsPicture() const {

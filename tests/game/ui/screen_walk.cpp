@@ -1,6 +1,7 @@
 #include "tests/game/ui/screen_walk.hpp"
 
 #include "game/ui/app/title_screen.hpp"
+#include "runtime/placement.hpp"
 
 #include <array>
 #include <utility>
@@ -27,6 +28,29 @@ void restPointer(Player& player) {
     render::Size const size = window().size();
     player.moveTo({0.5 * size.width, size.height - 2.0});
     player.frames(settled);
+}
+
+/// A ball that is elsewhere at a moment of a run.
+void lookAtWhatIf(Player& player, Look const& look) {
+    player.open(walkedLevel);
+    player.drag(player.item("part steel bar"), player.at({-1.8, 1.3}));
+    player.key(SDLK_SPACE);
+    player.simulate(80);
+    player.key(SDLK_p);
+    player.key(SDLK_k);
+    for (int i = 0; i < 6; ++i) {
+        player.key(SDLK_PAGEUP, KMOD_LSHIFT);
+    }
+    player.key(SDLK_a);
+    player.frames(settled);
+    World const& past = player.play().timeline().world();
+    Vec2 const ball = past.find<Position>(past.store().find("iron ball"))->value;
+    player.drag(player.at(ball), player.at(ball + Vec2{0.7, 0.3}));
+    player.frames(settled);
+    player.key(SDLK_PAGEDOWN, KMOD_LSHIFT);
+    player.key(SDLK_PAGEDOWN, KMOD_LSHIFT);
+    restPointer(player);
+    look("level-what-if");
 }
 
 } // namespace
@@ -122,6 +146,7 @@ void walkOthers(Player& player, Look const& look) {
     player.clickItem("free play");
     restPointer(player);
     look("free-play");
+    lookAtWhatIf(player, look);
 }
 
 void walkEditor(Player& player, Look const& look) {

@@ -141,6 +141,28 @@ TEST(WorldOptions, UnknownComponentsAndPeriodsAreRefusedWithTheKnownOnes) {
     EXPECT_EQ(statusOf(world, "Heat <- Fuel").period, 2);
 }
 
+TEST(WorldOptions, AnInteractionWithoutAPeriodIsLeftOutUntilItHasOneAgain) {
+    World world(levels(), {.threads = 1, .detail = {{"heat", "furnace"}}, .periods = {}});
+    ObjectId const coal = hotThing(world, "coal", 1);
+    world.store().column<Fuel>().set(coal, {60});
+    world.start();
+    world.step();
+    world.step();
+    EXPECT_EQ(world.find<StoveLog>()->held, 1);
+    world.setPeriod("Heat <- Fuel", 0);
+    EXPECT_EQ(statusOf(world, "Heat <- Fuel").activity, Activity::absent);
+    world.step();
+    double const heat = world.find<Heat>(coal)->value;
+    EXPECT_EQ(world.find<StoveLog>()->held, 0) << "the call that it held is withdrawn";
+    world.step();
+    EXPECT_EQ(world.find<Heat>(coal)->value, heat);
+    world.setPeriod("Heat <- Fuel", 1);
+    world.step(); // is applied
+    world.step(); // and takes effect
+    EXPECT_EQ(world.find<StoveLog>()->held, 1);
+    EXPECT_GT(world.find<Heat>(coal)->value, heat);
+}
+
 struct StoveGlow final : Dps<StoveGlow, Reads<Fuel>, Derives<>> {
     static constexpr ComponentText text{.name = "Stove", .effect = "glow", .level = "", .work = "Nothing."};
     using Activation = NeedsAll<Fuel>;

@@ -1,4 +1,5 @@
 #include "game/ui/play/commands/command_sections.hpp"
+#include "game/ui/play/whatif/what_if_tool.hpp"
 #include "game/ui/shared/words.hpp"
 #include "render/window/gamepad.hpp"
 
@@ -7,8 +8,15 @@ namespace {
 
 using render::Icon;
 
+/// Whether keys act on what is chosen at the moment of a what-if.
+bool changesPast(PlayParts const& parts) {
+    return parts.whatIf->atMoment();
+}
 /// Whether a part is in the hand or selected, so that keys can turn it, move it and put it back.
 bool partAtHand(PlayParts const& parts) {
+    if (changesPast(parts)) {
+        return !parts.whatIfTool->chosen().empty();
+    }
     return parts.run.building() && (parts.placing.carried() || parts.placing.selected() || parts.group.any());
 }
 bool isBuilding(PlayParts const& parts) {
@@ -36,12 +44,28 @@ void place(PlayParts& parts, Doing&& doing) {
 
 template <int steps>
 void turn(PlayParts& parts) {
+    if (changesPast(parts)) {
+        parts.whatIfTool->turn(steps, parts.context.shiftHeld());
+        return;
+    }
     place(parts, [&](auto& tool) { tool.turn(steps, parts.context.shiftHeld()); });
+}
+
+void putBack(PlayParts& parts) {
+    if (changesPast(parts)) {
+        parts.whatIfTool->remove();
+    } else {
+        place(parts, [](auto& tool) { tool.putBack(); });
+    }
 }
 
 /// Moves the selected parts; if there are none, or one is in the hand, the pointer.
 template <int x, int y>
 void nudge(PlayParts& parts) {
+    if (changesPast(parts) && !parts.whatIfTool->chosen().empty() && !parts.keyPointer.active()) {
+        parts.whatIfTool->nudge({x, y}, parts.context.shiftHeld());
+        return;
+    }
     if (y == 0 && parts.run.paused() && parts.timeline.shown() && !parts.keyPointer.active()) {
         parts.timeline.stepBy(parts.context.shiftHeld() ? 10 * x : x);
         return;
@@ -131,7 +155,7 @@ constexpr Command<PlayParts> buildingTable[] = {
               .help = "mirror the part in hand",
               .padPhase = PadPhase::building},
      .run = [](PlayParts& parts) { place(parts, [](auto& tool) { tool.flip(); }); },
-     .available = partAtHand},
+     .available = [](PlayParts const& parts) { return partAtHand(parts) && parts.run.building(); }},
     {.info = {.id = "move-left",
               .keys = {{{SDLK_LEFT}}},
               .pad = {render::padKey(SDL_CONTROLLER_BUTTON_DPAD_LEFT)},
@@ -176,7 +200,7 @@ constexpr Command<PlayParts> buildingTable[] = {
               .name = "Put back",
               .tip = "Put the part in hand back into the toolbox",
               .help = "put the part back"},
-     .run = [](PlayParts& parts) { place(parts, [](auto& tool) { tool.putBack(); }); },
+     .run = putBack,
      .available = partAtHand},
     {.info = {.id = "next-part",
               .keys = {{{SDLK_t}}},
@@ -235,7 +259,10 @@ constexpr Command<PlayParts> buildingTable[] = {
               .help = "place the same parts again",
               .padPhase = PadPhase::building},
      .run = duplicate,
-     .available = [](PlayParts const& parts) { return partAtHand(parts) && !parts.placing.carried(); }},
+     .available =
+         [](PlayParts const& parts) {
+             return partAtHand(parts) && parts.run.building() && !parts.placing.carried();
+         }},
 };
 
 } // namespace

@@ -1,6 +1,7 @@
 #include "game/ui/commands/common_commands.hpp"
 #include "game/ui/play/commands/command_sections.hpp"
 #include "game/ui/play/keeping/saving.hpp"
+#include "game/ui/play/whatif/what_if_tool.hpp"
 #include "game/ui/shared/words.hpp"
 #include "render/window/gamepad.hpp"
 
@@ -14,8 +15,8 @@ void openMenu(PlayParts& parts) {
     parts.request = request::OpenMenu{page};
 }
 
-/// Ends one thing: the use of the scissors, the carrying or choice of parts, the inspector. If none of these
-/// goes on, opens the menu.
+/// Ends one thing: the use of the scissors, the carrying or choice of parts, the inspector, a what-if. If
+/// none of these goes on, opens the menu.
 void back(PlayParts& parts) {
     if (parts.hand.cutting()) {
         parts.hand.setCutting(false);
@@ -23,6 +24,10 @@ void back(PlayParts& parts) {
         return;
     } else if (parts.inspector.open()) {
         parts.inspector.close();
+    } else if (parts.whatIfTool->cutting()) {
+        parts.whatIfTool->setCutting(false);
+    } else if (parts.whatIf->active()) {
+        parts.whatIf->end();
     } else {
         parts.request = request::OpenMenu{MenuPage::main};
     }

@@ -1,5 +1,7 @@
 #include "game/ui/play/commands/command_sections.hpp"
 #include "game/ui/play/timeline/probe_panel.hpp"
+#include "game/ui/play/whatif/what_if_tool.hpp"
+#include "game/ui/shared/texts.hpp"
 #include "render/window/gamepad.hpp"
 
 namespace trembler::ui {
@@ -32,6 +34,20 @@ void toMark(PlayParts& parts) {
 void watchPast(PlayParts& parts) {
     parts.lookAtPast();
     parts.timeline.playOrPause();
+}
+
+/// Only at a moment of the past is there something to compare with.
+void whatIf(PlayParts& parts) {
+    parts.whatIfTool->reset();
+    if (parts.whatIf->active()) {
+        parts.whatIf->end();
+    } else if (parts.whatIf->begin()) {
+        parts.timeline.probes().setChoosing(false);
+    } else {
+        parts.context.toasts.add(
+            text("A script was changed while it ran, so the run cannot be repeated up to this moment."),
+            render::ToastKind::News, 6);
+    }
 }
 
 constexpr Command<PlayParts> timelineTable[] = {
@@ -164,6 +180,20 @@ constexpr Command<PlayParts> timelineTable[] = {
               .padPhase = PadPhase::running},
      .run = [](PlayParts& parts) { parts.continueHere(); },
      .available = [](PlayParts const& parts) { return hasPast(parts) && parts.timeline.looksBack(); }},
+    {.info = {.id = "what-if",
+              .keys = {{{SDLK_a}}},
+              .icon = Icon::Hint,
+              .group = CommandGroup::running,
+              .name = "What if",
+              .tip = "Change something at this moment, and see the other run beside the real one",
+              .help = "what if something had been different at the moment that is shown",
+              .whenOn = {Icon::Hint, "End the what-if", "Show the real run alone again"}},
+     .run = whatIf,
+     .available =
+         [](PlayParts const& parts) {
+             return hasPast(parts) && (parts.timeline.looksBack() || parts.whatIf->active());
+         },
+     .on = [](PlayParts const& parts) { return parts.whatIf->active(); }},
 };
 
 } // namespace

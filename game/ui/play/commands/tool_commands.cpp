@@ -1,4 +1,5 @@
 #include "game/ui/play/commands/command_sections.hpp"
+#include "game/ui/play/whatif/what_if_tool.hpp"
 #include "game/ui/shared/words.hpp"
 #include "render/window/gamepad.hpp"
 
@@ -42,7 +43,9 @@ bool hasWire(PlayParts const& parts) {
 
 /// In a run any wire is cut; before it, those that the player has laid are put back.
 void cut(PlayParts& parts) {
-    if (inARun(parts)) {
+    if (parts.whatIf->atMoment()) {
+        parts.whatIfTool->setCutting(!parts.whatIfTool->cutting());
+    } else if (inARun(parts)) {
         parts.hand.setCutting(!parts.hand.cutting());
     } else {
         parts.placing.cancel();
@@ -69,7 +72,10 @@ constexpr Command<PlayParts> toolTable[] = {
               .padPhase = PadPhase::running},
      .run = cut,
      .available = [](PlayParts const& parts) { return inARun(parts) || hasWire(parts); },
-     .on = [](PlayParts const& parts) { return parts.hand.cutting() || parts.wires.cutting(); }},
+     .on =
+         [](PlayParts const& parts) {
+             return parts.hand.cutting() || parts.wires.cutting() || parts.whatIfTool->cutting();
+         }},
     {.info = {.id = "second-hand",
               .keys = {{{SDLK_g}}},
               .pad = {render::padRightTrigger},

@@ -67,6 +67,13 @@ void FieldMouse::useHand(Pointer const& pointer, Surroundings const& around, dou
         }
     }
     wasSecond_ = around.second;
+    if (around.past && around.taken) {
+        if (pointer.released && pointer.strayed(pressedAt_) <= dragThreshold) {
+            picking_.inspect(picking_.hovered());
+        }
+        leftOnPaper_ = false;
+        return;
+    }
     if (around.past) {
         if (pointer.pressed) {
             leftOnPaper_ = !pointer.overCard;

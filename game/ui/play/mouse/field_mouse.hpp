@@ -30,6 +30,7 @@ public:
         std::optional<Vec2> handle; ///< middle of the handle that turns the selected part, m
         bool watching = false;      ///< a run is watched again: objects cannot be grabbed
         bool past = false;          ///< the past is shown: nothing in it can be grabbed or cut
+        bool taken = false;         ///< the hand of a what-if uses the pointer
         bool second = false;        ///< the mouse is the second hand, and the first one stays where it is
     };
     /// Handles the mouse for one picture, `seconds` after the last. True if the session now has another

@@ -34,6 +34,10 @@ public:
 
     /// Reads on in the recording; true if frames were read, so that there is something new to see.
     bool read(insight::Recording const& recording);
+    /// The same in the recording of a run beside the real one, whose curves are drawn paler.
+    bool readOther(insight::Recording const& recording);
+    void forgetOther();
+    [[nodiscard]] insight::Probes const& other() const { return other_; }
     void forgetAfter(std::uint64_t frame);
     /// The run has ended. The probes stay, for the next one.
     void forget();
@@ -44,8 +48,8 @@ public:
     /// Height of the plots, pixels at UI scale 1; 0 without probes.
     [[nodiscard]] float height() const;
     /// Draws the card of the plots, with the shown frame's values, and returns the frame that the player
-    /// points at.
-    std::optional<std::uint64_t> draw(Layout& layout, std::uint64_t frame, std::uint64_t last);
+    /// points at. `above`: how far from the bottom, pixels at UI scale 1.
+    std::optional<std::uint64_t> draw(Layout& layout, float above, std::uint64_t frame, std::uint64_t last);
     /// Draws the card in which the player chooses, for an object by its name; "": none is inspected.
     /// Returns the ending of the file that the player wants, ".csv" or ".svg"; "" if none.
     [[nodiscard]] std::string drawChoice(Layout& layout, World const& world, std::string const& object,
@@ -58,7 +62,9 @@ private:
     Session const& session_;
     std::vector<watch::WatchedField> fields_; // found on first use
     insight::Probes probes_;
+    insight::Probes other_; // the same, of a run beside it
     insight::Stage stage_;
+    insight::Stage otherStage_;
     bool choosing_ = false;
     void findFields();
 };

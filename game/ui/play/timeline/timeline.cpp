@@ -20,7 +20,7 @@ Timeline::Timeline(Registry const& registry, Session const& session)
       probes_(std::make_shared<ProbePanel>(registry, session)) {}
 
 float Timeline::height() const {
-    return open_ ? timelineRow + probes_->height() : 0;
+    return open_ ? timelineRow + lane_ + probes_->height() : 0;
 }
 
 void Timeline::beforeStep() {

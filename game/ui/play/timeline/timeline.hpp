@@ -47,6 +47,9 @@ public:
 
     /// Height of the bar and of the plots above it, if they are open, pixels at UI scale 1.
     [[nodiscard]] float height() const;
+    /// Height of what is drawn between the bar and the plots, pixels at UI scale 1; 0: nothing.
+    void setLane(float height) { lane_ = height; }
+    [[nodiscard]] float lane() const { return lane_; }
     /// The numbers that are plotted above the bar.
     [[nodiscard]] ProbePanel& probes() const { return *probes_; }
 
@@ -97,6 +100,7 @@ private:
     insight::Stage stage_;
     insight::Marks marks_;
     bool open_ = false;
+    float lane_ = 0;
     std::optional<std::uint64_t> at_;     // the shown frame of the past
     std::optional<std::uint64_t> target_; // up to which the run is computed again
     bool spared_ = false;                 // the run ends only to begin again

@@ -201,7 +201,7 @@ std::optional<std::uint64_t> drawTimelineBar(CommandButtons& buttons, Timeline c
     ImGui::PopFont();
     write(all, corner.y + scaled(22), palette::inkSoft);
     ImGui::Dummy({scaled(timeWidth - buttonGap), scaled(trackHeight)});
-    for (char const* id : {"probe", "loop-past", "continue-here"}) {
+    for (char const* id : {"probe", "what-if", "loop-past", "continue-here"}) {
         ImGui::SameLine(0, scaled(buttonGap));
         buttons.icon(id);
     }

@@ -11,7 +11,7 @@ inline constexpr float timelineRow = 50;
 
 /// From the left and the right end of the card to its track, pixels at UI scale 1.
 inline constexpr float trackFromLeft = 3 * 44;
-inline constexpr float trackFromRight = 3 * 44 + 112;
+inline constexpr float trackFromRight = 4 * 44 + 112;
 
 /// Draws the card "timeline" and lets the mouse drag along the track. Returns the frame that the player
 /// points at, if it is another one than is shown. Between Gui::beginFrame and endFrame.

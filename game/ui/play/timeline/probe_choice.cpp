@@ -1,0 +1,130 @@
+// Which numbers of an object can be plotted, and the card in which the player chooses them.
+#include "game/ui/cards/play_cards.hpp"
+#include "game/ui/play/timeline/probe_panel.hpp"
+#include "game/ui/play/timeline/probe_words.hpp"
+#include "game/ui/shared/texts.hpp"
+#include "render/panels/buttons.hpp"
+#include "render/panels/theme.hpp"
+
+#include <algorithm>
+#include <array>
+#include <set>
+#include <stdexcept>
+
+namespace trembler::ui {
+namespace {
+
+using namespace render;
+
+// Pixels at UI scale 1.
+constexpr float choiceWidth = 300;
+constexpr float choiceHeight = 250;
+
+struct Usual {
+    Phrase name;
+    char const* field;
+};
+
+constexpr std::array<Usual, 14> usual{{
+    {"Speed", "velocity.length"},
+    {"Height", "position.y"},
+    {"Place from left to right", "position.x"},
+    {"Angle", "rotation"},
+    {"Turning speed", "angular_velocity"},
+    {"Voltage", "electrical_quantities.potential"},
+    {"Current", "electrical_quantities.current"},
+    {"Power", "electrical_quantities.power"},
+    {"Brightness", "electrical_quantities.brightness"},
+    {"Whether it is on", "electrical_state.on"},
+    {"Magnet's strength", "magnet.level"},
+    {"Magnetic force", "magnetic_force.force.length"},
+    {"Buoyancy", "buoyancy_force.force.length"},
+    {"Loudness", "loudness.level"},
+}};
+
+} // namespace
+
+// "coil.electrical_quantities.current" as "coil: Current"; others with the field as it is called.
+std::string plotLabel(std::string const& what) {
+    for (Usual const& each : usual) {
+        std::string const end = std::string(".") + each.field;
+        if (what.size() > end.size() && what.ends_with(end)) {
+            return shownName(what.substr(0, what.size() - end.size())) + ": " + each.name;
+        }
+    }
+    return what;
+}
+
+std::vector<Quantity> ProbePanel::quantitiesOf(World const& world, std::string const& object) const {
+    std::vector<Quantity> all;
+    std::set<std::string> known;
+    auto const hasNumber = [&](watch::Watch const& watch) {
+        auto const cells = watch.read(world);
+        return std::any_of(cells.begin(), cells.end(),
+                           [](watch::Cell const& cell) { return std::holds_alternative<double>(cell); });
+    };
+    for (Usual const& each : usual) {
+        std::string const what = object + "." + each.field;
+        try {
+            if (hasNumber(watch::find(world, fields_, what))) {
+                all.push_back({each.name, what});
+                known.insert(what);
+            }
+        } catch (std::invalid_argument const&) {
+            continue; // the object does not have it
+        }
+    }
+    for (watch::WatchedField const& field : fields_) {
+        std::string const what = object + "." + field.spokenName();
+        bool const numbers = field.type != FieldType::text && field.type != FieldType::object &&
+                             field.type != FieldType::choice && field.type != FieldType::list;
+        if (numbers && !field.ofWorld() && !field.numbered() && known.count(what) == 0 &&
+            hasNumber({what, object, field})) {
+            all.push_back({field.spokenName(), what});
+        }
+    }
+    return all;
+}
+
+std::string ProbePanel::drawChoice(Layout& layout, World const& world, std::string const& object,
+                                   float above) {
+    findFields();
+    std::string wanted;
+    layout.beginCard("probe choice", text("Plot"),
+                     {.anchor = Anchor::BottomLeft, .offset = {cardGap, above}, .width = choiceWidth});
+    if (object.empty()) {
+        caption(text("Click on an object: then its numbers are listed here."));
+    } else {
+        ImGui::PushFont(theme().fonts.strong);
+        ImGui::TextUnformatted(shownName(object).c_str());
+        ImGui::PopFont();
+        ImGui::PushStyleColor(ImGuiCol_ChildBg, ImVec4(0, 0, 0, 0));
+        ImGui::BeginChild("quantities", {0, scaled(choiceHeight - 110)});
+        for (Quantity const& quantity : quantitiesOf(world, object)) {
+            bool on = probes_.has(quantity.what);
+            if (ImGui::Checkbox((quantity.name + "##" + quantity.what).c_str(), &on)) {
+                toggle(quantity.what);
+            }
+            layout.item("plot " + quantity.what);
+        }
+        ImGui::EndChild();
+        ImGui::PopStyleColor();
+    }
+    if (!probes_.watches().empty()) {
+        for (char const* const ending : {".csv", ".svg"}) {
+            if (bigButton(ending + 1, {.width = 76})) {
+                wanted = ending;
+            }
+            layout.item(std::string("save ") + (ending + 1));
+            ImGui::SameLine();
+        }
+        if (bigButton(text("Remove all"), {.width = 100})) {
+            removeAll();
+        }
+        layout.item("remove probes");
+    }
+    layout.endCard();
+    return wanted;
+}
+
+} // namespace trembler::ui

@@ -1,0 +1,83 @@
+// What if something had been different at a moment of the run: another run beside the real one.
+#pragma once
+
+#include "game/ui/play/timeline/timeline.hpp"
+#include "insight/whatif/other_run.hpp"
+#include "insight/whatif/settable.hpp"
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace trembler::ui {
+
+/// The other run never counts: it is no run of the session, which it never changes. When it ends, the real
+/// one is as it was. Needs no window; window thread only.
+class WhatIfView {
+public:
+    static constexpr std::size_t mostKept = 4; ///< what-ifs of this run that can be shown again
+
+    /// All must outlive this. `registry` is the session's.
+    WhatIfView(Registry const& registry, Session const& session, Timeline& timeline);
+
+    [[nodiscard]] bool active() const { return active_; }
+    /// Begins a what-if at the moment that the timeline shows, without any change so far. False if the run
+    /// cannot be repeated: a script was changed while it ran.
+    bool begin();
+    /// Ends it: only the real run is shown. Its changes are kept.
+    void end();
+    /// Shows one of kept() again.
+    void again(std::size_t kept);
+    /// Those that have ended, the latest last; without those in which nothing was changed.
+    [[nodiscard]] std::vector<insight::WhatIf> const& kept() const { return kept_; }
+    /// The session's run has ended, or begins again.
+    void forget();
+
+    // Changes, all at the moment.
+    [[nodiscard]] std::uint64_t moment() const { return whatIf_.frame; }
+    [[nodiscard]] insight::WhatIf const& whatIf() const { return whatIf_; }
+    /// Whether the moment is shown, so that something can be changed.
+    [[nodiscard]] bool atMoment() const { return active_ && timeline_.frame() == whatIf_.frame; }
+    /// Lets the timeline show the moment.
+    void toMoment();
+    void change(insight::Change change);
+    /// Takes a change back, by its place in the list.
+    void takeBack(std::size_t index);
+    /// The fields of an object that can be set, as they are at the moment in the other run.
+    [[nodiscard]] std::vector<insight::SettableField> fieldsOf(std::string const& object);
+
+    /// Once per picture: computes on.
+    void pass();
+    /// Whether it has not been computed yet as far as the real run.
+    [[nodiscard]] bool moving() const { return moving_; }
+    /// The other run as far as it is known; nullptr: there is none yet.
+    [[nodiscard]] insight::OtherRun const* run() const { return shown_.get(); }
+    /// It in the frame that the timeline shows; nullptr before the moment and where it is not computed.
+    [[nodiscard]] World const* world();
+    /// The goals in that frame; empty where world() is nullptr.
+    [[nodiscard]] std::vector<GoalStatus> const& goals() const;
+    /// Why it could not be computed, in words for the player, once.
+    [[nodiscard]] std::optional<std::string> takeTrouble() { return std::exchange(trouble_, {}); }
+
+private:
+    void compute();
+    void drop();
+
+    Registry const& registry_;
+    Session const& session_;
+    Timeline& timeline_;
+    bool active_ = false;
+    bool moving_ = false;
+    insight::WhatIf whatIf_;
+    std::vector<insight::WhatIf> kept_;
+    std::unique_ptr<insight::OtherRun> shown_;
+    std::unique_ptr<insight::OtherRun> next_; // after a change, until it has come to the moment
+    insight::Stage stage_;
+    std::optional<std::uint64_t> staged_; // the frame on the stage
+    std::optional<std::string> trouble_;
+};
+
+} // namespace trembler::ui

@@ -1,0 +1,14 @@
+// The card of a what-if: what is changed, what else can be, and what becomes of it.
+#pragma once
+
+#include "game/ui/commands/command_buttons.hpp"
+#include "game/ui/play/whatif/what_if_tool.hpp"
+#include "puzzle/session/session.hpp"
+
+namespace trembler::ui {
+
+/// `above`: how far from the bottom, pixels at UI scale 1. Between Gui::beginFrame and endFrame.
+void drawWhatIfCard(CommandButtons& buttons, Session const& session, WhatIfView& view, WhatIfTool const& tool,
+                    float above);
+
+} // namespace trembler::ui
