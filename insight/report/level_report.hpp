@@ -56,8 +56,8 @@ struct LevelReport {
     std::optional<SearchResult> search;
     /// By index in search->found: the recorded solution of the same kind; empty: there is none.
     std::vector<std::string> foundAs;
-    bool examined = false; ///< the empty toolbox and every recorded solution were run
     bool complete = true;  ///< false: the work was stopped before its end
+    bool examined = false; ///< the empty toolbox and every recorded solution were run
 };
 
 /// Runs the level many times. Everything but the times depends on the level, the options and the program

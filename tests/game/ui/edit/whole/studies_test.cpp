@@ -92,7 +92,10 @@ TEST(EditorReport, AgreesWithTheCommandLines) {
     insight::LevelUnderTest const level(gameData(), firstContact);
     insight::Workers workers({});
     EXPECT_EQ(told(*shown), told(reportOn(level, briefReport(), workers)));
-    EXPECT_TRUE(designer.says(words::nothingShort));
+    for (std::size_t i = 0; i < shortcomingsOf(*shown).size(); ++i) {
+        EXPECT_TRUE(designer.shows("shortcoming " + std::to_string(i)));
+    }
+    EXPECT_EQ(designer.says(words::nothingShort), shortcomingsOf(*shown).empty());
     EXPECT_FALSE(designer.says(words::olderState));
     for (char const* const item : {"reported 0", "reported 1", "reported 2"}) {
         EXPECT_TRUE(designer.shows(item)) << item;
