@@ -86,22 +86,6 @@ constexpr Command<EditParts> editToolMenu[] = {
               .help = "tools"},
      .run = actions::pick<Tool::goalArea>,
      .on = actions::isTool<Tool::goalArea>},
-    {.info = {.id = "edit-make-report",
-              .keys = {{withCtrl(SDLK_e)}},
-              .group = CommandGroup::editing,
-              .name = "Make the report",
-              .tip = "Find out what the solutions need and what falls short; once more stops it",
-              .help = "report on the level"},
-     .run = actions::makeReport,
-     .on = actions::isReporting},
-    {.info = {.id = "edit-find-solutions",
-              .keys = {{withCtrl(SDLK_f)}},
-              .group = CommandGroup::editing,
-              .name = "Look for solutions",
-              .tip = "Look for solutions that nobody recorded; once more stops it",
-              .help = "look for solutions"},
-     .run = actions::searchSolutions,
-     .on = actions::isSearching},
 };
 
 } // namespace

@@ -85,7 +85,7 @@ void drawCheapest(insight::LevelCosts const& costs) {
             ways.cheapest = &way;
         }
     }
-    smallText(words::cheapestHeading);
+    studyText(words::cheapestHeading);
     for (auto const& [effect, ways] : byEffect) {
         std::string shown = words::noneKeeps;
         if (ways.cheapest != nullptr) {
@@ -112,7 +112,7 @@ void drawCosts(EditParts& parts) {
     }
     drawStateOfWork(studies.costs().state != actions::stateOf(parts, true),
                     !studies.costs().running() && studies.costs().work->stopAsked());
-    smallText(words::perFrame);
+    studyText(words::perFrame);
     for (insight::EffectCost const& cost : costs->costs) {
         valueRow(translated(cost.effect), shownMicroseconds(cost.microseconds));
     }
@@ -123,9 +123,9 @@ void drawReport(EditParts& parts, LevelReport const& report) {
     if (report.examined) {
         drawShortcomings(parts, report);
         if (!report.emptyToolboxSolves) {
-            smallText(words::notByItself);
+            studyText(words::notByItself);
         }
-        smallText(words::filledIn(words::manyKindsText, report.kinds));
+        studyText(words::filledIn(words::manyKindsText, report.kinds));
     }
     pageHeading(words::solutionsHeading);
     if (report.solutions.empty() && report.examined) {

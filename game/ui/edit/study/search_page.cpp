@@ -72,10 +72,10 @@ void drawFound(EditParts& parts, SearchShown const& shown, std::size_t index) {
     ImGui::PopFont();
     drawMoment(parts, shown, index);
     if (std::string const causes = words::shownCauses(found.graph); !causes.empty()) {
-        smallText(words::filledIn(words::causesText, causes));
+        studyText(words::filledIn(words::causesText, causes));
     }
     std::string const as = insight::recordedAs(shown.recorded, found);
-    smallText(words::filledIn(words::foundByText, found.run, found.times) + "; " +
+    studyText(words::filledIn(words::foundByText, found.run, found.times) + "; " +
               (as.empty() ? std::string(words::recordedByNobody) : words::filledIn(words::likeText, as)));
     if (smallButton(parts, words::keepIt, item + " keep", words::keepItTip)) {
         actions::keepFound(parts, index);
@@ -106,14 +106,14 @@ void drawSearchPage(EditParts& parts) {
         return;
     }
     drawStateOfWork(study.state != actions::stateOf(parts, false), !study.running() && !shown->complete);
-    smallText(words::filledIn(words::soFarText, shown->search.runs, studies.runsAsked(),
+    studyText(words::filledIn(words::soFarText, shown->search.runs, studies.runsAsked(),
                               shown->search.found.size()));
     if (shown->search.solved < shown->search.runs) {
-        smallText(
+        studyText(
             words::filledIn(words::nearestText, localNumber(fmt::format("{:.3f}", shown->search.nearest))));
     }
     if (shown->search.found.empty() && !study.running()) {
-        smallText(words::foundNothing);
+        studyText(words::foundNothing);
     }
     for (std::size_t i = 0; i < shown->search.found.size(); ++i) {
         ImGui::PushID(static_cast<int>(i));

@@ -48,7 +48,7 @@ void drawMaps(EditParts& parts, SolutionReport const& solution) {
     if (solution.maps.empty()) {
         return;
     }
-    smallText(words::mayLie);
+    studyText(words::mayLie);
     LevelStudies& studies = *parts.studies;
     for (std::size_t i = 0; i < solution.maps.size(); ++i) {
         PlaceMap const& map = solution.maps[i];
@@ -83,14 +83,14 @@ void drawDetails(EditParts& parts, LevelReport const& report, SolutionReport con
     insight::Needs const& needs = solution.needs;
     if (needs.solves) {
         if (!solution.expected) {
-            smallText(words::bySurprise);
+            studyText(words::bySurprise);
         }
         std::vector<std::string> makings = needs.parts;
         makings.insert(makings.end(), needs.deeds.begin(), needs.deeds.end());
-        smallText(makings.empty() ? std::string(words::needsNothing)
+        studyText(makings.empty() ? std::string(words::needsNothing)
                                   : words::filledIn(words::needsText, words::shownMakings(catalog, makings)));
         if (!needs.superfluous.empty()) {
-            smallText(
+            studyText(
                 words::filledIn(words::superfluousText, words::shownMakings(catalog, needs.superfluous)));
         }
         if (!needs.effects.empty()) {
@@ -98,18 +98,18 @@ void drawDetails(EditParts& parts, LevelReport const& report, SolutionReport con
             for (std::string const& effect : needs.effects) {
                 effects += (effects.empty() ? "" : ", ") + translated(effect);
             }
-            smallText(words::filledIn(words::needsEffectsText, effects));
+            studyText(words::filledIn(words::needsEffectsText, effects));
         }
         if (std::string const causes = words::shownCauses(solution.graph); !causes.empty()) {
-            smallText(words::filledIn(words::causesText, causes));
+            studyText(words::filledIn(words::causesText, causes));
         }
         if (solution.robustness.runs > 0) {
-            smallText(words::filledIn(words::robustText,
+            studyText(words::filledIn(words::robustText,
                                       localNumber(fmt::format("{:g}", 100 * report.jitter.distance)),
                                       localNumber(fmt::format("{:g}", report.jitter.angle)),
                                       solution.robustness.solved, solution.robustness.runs));
         } else if (report.complete) {
-            smallText(words::nothingDisplaced);
+            studyText(words::nothingDisplaced);
         }
         drawMaps(parts, solution);
     }

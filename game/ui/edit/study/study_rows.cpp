@@ -42,7 +42,7 @@ std::string whyFailed(std::exception_ptr const& failure) {
 
 } // namespace
 
-void smallText(std::string const& text) {
+void studyText(std::string const& text) {
     ImGui::PushFont(theme().fonts.small);
     ImGui::TextWrapped("%s", text.c_str());
     ImGui::PopFont();
@@ -77,7 +77,7 @@ bool drawWorkButton(EditParts& parts, AnyWork const* work, char const* label, ch
                                      item, running ? words::stopStudyTip : tip);
     ImGui::EndDisabled();
     if (running) {
-        smallText(words::shownStep(work->step(), work->done()));
+        studyText(words::shownStep(work->step(), work->done()));
         progressLine(*work);
     } else if (std::exception_ptr const failure = work == nullptr ? nullptr : work->failure()) {
         caption(words::filledIn(words::cannotStudyText, whyFailed(failure)).c_str());
@@ -91,10 +91,10 @@ void drawStateOfWork(bool older, bool stopped) {
     }
     ImGui::PushStyleColor(ImGuiCol_Text, imColour4(palette::warning));
     if (older) {
-        smallText(words::olderState);
+        studyText(words::olderState);
     }
     if (stopped) {
-        smallText(words::stoppedEarly);
+        studyText(words::stoppedEarly);
     }
     ImGui::PopStyleColor();
 }

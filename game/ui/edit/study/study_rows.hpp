@@ -15,7 +15,7 @@ namespace trembler::ui {
 /// Says that what follows is of an older state of the level, or was stopped. Nothing if neither holds.
 void drawStateOfWork(bool older, bool stopped);
 /// Wrapped text in the small font.
-void smallText(std::string const& text);
+void studyText(std::string const& text);
 /// A name at the left and a value at the right of the line.
 void valueRow(std::string const& name, std::string const& value);
 
