@@ -124,6 +124,45 @@ TEST(EditorReport, ShowsWhatASolutionNeedsAndPlaysIt) {
     EXPECT_EQ(designer.parts().tab, Tab::report) << "back where one was";
 }
 
+render::Pixel pixelAt(render::Image const& image, Point at) {
+    return image.at(static_cast<int>(at.x), static_cast<int>(at.y));
+}
+
+TEST(EditorReport, DrawsWhereAPartMayLie) {
+    Examiner designer;
+    designer.editCopyOf(levelsFolder() / "first/2-into-the-basket.json");
+    designer.studies().reportOptions = briefReport();
+    designer.studies().reportOptions.mapReach = 4;
+    designer.makeReport();
+    auto const report = designer.studies().report().result();
+    insight::PlaceMap const& map = report->solutions[0].maps.at(0);
+    Vec2 const middle = designer.parts().level.findSolution(report->solutions[0].name)->placements[0].at;
+    render::Image const before = designer.look("edit-report-before");
+    designer.press("reported 0");
+    designer.moveTo({400, 700});
+    designer.frames(4);
+    render::Image const after = designer.look("edit-report-map");
+    int solving = 0;
+    int failing = 0;
+    for (int row = 0; row < 9; ++row) {
+        for (int column = 0; column < 9; ++column) {
+            char const state = map.rows[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)];
+            Point const at = designer.on(middle + Vec2{map.step * (column - 4), map.step * (4 - row)});
+            solving += state == '#' ? 1 : 0;
+            failing += state == '.' ? 1 : 0;
+            if (state == '#' || state == '.') {
+                EXPECT_NE(pixelAt(after, at), pixelAt(before, at)) << row << ", " << column;
+            }
+        }
+    }
+    EXPECT_GT(solving, 10);
+    EXPECT_GT(failing, 3);
+    designer.press("reported 0");
+    designer.moveTo({400, 700});
+    designer.frames(4);
+    EXPECT_EQ(designer.studies().solution, LevelStudies::noChoice) << "once more: nothing is chosen";
+}
+
 TEST(EditorReport, SaysWhatFallsShortAndIsOfTheUnsavedLevel) {
     Examiner designer;
     designer.openFirst();
