@@ -27,16 +27,27 @@ public:
         report_.seed = options_.robustness.seed;
         report_.jitter = options_.robustness.jitter;
         report_.demonstration = level_.level().demonstration;
+        report_.complete = false;
         say("what its solutions need");
         examineSolutions();
+        showSoFar();
         say("how exact its solutions must be");
         displaceSolutions();
+        showSoFar();
         say("single parts dropped at random");
         report_.drops = randomDrops(level_, options_.drops, dropFrames, options_.robustness.seed, workers_);
+        showSoFar();
+        if (options_.maps) {
+            say("where each part may lie");
+            drawMaps();
+            showSoFar();
+        }
         if (options_.costs) {
             say("what its effects cost");
-            report_.ways = waysToCompute(level_, workers_);
-            report_.costs = effectCosts(level_, representative());
+            LevelCosts measured = costsOf(level_, workers_);
+            report_.ways = std::move(measured.ways);
+            report_.costs = std::move(measured.costs);
+            showSoFar();
         }
         if (options_.search > 0) {
             say("what else solves it");
@@ -53,14 +64,10 @@ private:
         }
     }
 
-    /// The first solution that solves it, else a run hands off.
-    [[nodiscard]] Solution representative() const {
-        for (Solution const& solution : level_.level().solutions) {
-            if (solution.solves) {
-                return solution;
-            }
+    void showSoFar() const {
+        if (options_.sofar) {
+            options_.sofar(report_);
         }
-        return {};
     }
 
     void examineSolutions() {
@@ -96,6 +103,8 @@ private:
             one.graph = causeGraphFrom(told.at(1).get<std::string>());
             report_.solutions.push_back(std::move(one));
         }
+        report_.examined = std::all_of(results.begin(), results.end(),
+                                       [](std::optional<std::string> const& one) { return one.has_value(); });
         numberKinds();
     }
 
@@ -113,24 +122,31 @@ private:
         }
     }
 
-    void displaceSolutions() {
+    /// Those that solve it, and where they are in the report.
+    [[nodiscard]] std::vector<SolvedBy> solving(std::vector<SolutionReport*>& reports) {
         std::vector<SolvedBy> solved;
-        std::vector<SolutionReport*> reports;
         for (SolutionReport& one : report_.solutions) {
             if (one.needs.solves) {
                 solved.push_back({level_.level().findSolution(one.name), one.needs.frame});
                 reports.push_back(&one);
             }
         }
-        auto const robustness = robustnessOf(level_, solved, options_.robustness, workers_);
+        return solved;
+    }
+
+    void displaceSolutions() {
+        std::vector<SolutionReport*> reports;
+        auto const robustness = robustnessOf(level_, solving(reports), options_.robustness, workers_);
         for (std::size_t i = 0; i < reports.size(); ++i) {
             reports[i]->robustness = robustness[i];
         }
-        if (options_.maps) {
-            auto maps = placeMapsOf(level_, solved, options_.mapStep, options_.mapReach, workers_);
-            for (std::size_t i = 0; i < reports.size(); ++i) {
-                reports[i]->maps = std::move(maps[i]);
-            }
+    }
+
+    void drawMaps() {
+        std::vector<SolutionReport*> reports;
+        auto maps = placeMapsOf(level_, solving(reports), options_.mapStep, options_.mapReach, workers_);
+        for (std::size_t i = 0; i < reports.size(); ++i) {
+            reports[i]->maps = std::move(maps[i]);
         }
     }
 
@@ -161,31 +177,67 @@ LevelReport reportOn(LevelUnderTest const& level, ReportOptions const& options, 
     return Reporter(level, options, workers).make();
 }
 
-std::vector<std::string> shortcomings(LevelReport const& report) {
-    std::vector<std::string> faults;
+LevelCosts costsOf(LevelUnderTest const& level, Workers& workers) {
+    LevelCosts measured;
+    measured.ways = waysToCompute(level, workers);
+    std::vector<Solution> const& solutions = level.level().solutions;
+    auto const first = std::find_if(solutions.begin(), solutions.end(),
+                                    [](Solution const& solution) { return solution.solves; });
+    measured.costs = effectCosts(level, first == solutions.end() ? Solution{} : *first);
+    return measured;
+}
+
+std::vector<Shortcoming> shortcomingsOf(LevelReport const& report) {
+    using Kind = Shortcoming::Kind;
+    std::vector<Shortcoming> faults;
     if (report.demonstration) {
         return faults;
     }
     if (report.emptyToolboxSolves) {
-        faults.emplace_back("an empty toolbox solves it");
+        faults.push_back({Kind::solvesItself});
     }
     if (report.kinds < 2) {
-        faults.push_back(fmt::format("its recorded solutions are of {} kind{}, not of 2", report.kinds,
-                                     report.kinds == 1 ? "" : "s"));
+        faults.push_back({Kind::fewKinds, "", report.kinds});
     }
     for (SolutionReport const& solution : report.solutions) {
+        Robustness const& robustness = solution.robustness;
         if (solution.expected && !solution.needs.solves) {
-            faults.push_back(fmt::format("'{}' does not solve it", solution.name));
-        } else if (solution.expected && solution.robustness.runs > 0 &&
-                   solution.robustness.share() < robustEnough) {
-            faults.push_back(fmt::format("'{}' succeeds in only {:.0f} % of its displaced runs",
-                                         solution.name, 100 * solution.robustness.share()));
+            faults.push_back({Kind::fails, solution.name});
+        } else if (solution.expected && robustness.runs > 0 && robustness.share() < robustEnough) {
+            faults.push_back({Kind::fragile, solution.name, 0, robustness.share()});
         }
     }
     for (Drop const& drop : report.drops) {
         if (drop.share() > luckyEnough) {
-            faults.push_back(fmt::format("{}, dropped at random, solves it in {:.0f} % of tries", drop.part,
-                                         100 * drop.share()));
+            faults.push_back({Kind::lucky, drop.part, 0, drop.share()});
+        }
+    }
+    return faults;
+}
+
+std::vector<std::string> shortcomings(LevelReport const& report) {
+    using Kind = Shortcoming::Kind;
+    std::vector<std::string> faults;
+    for (Shortcoming const& fault : shortcomingsOf(report)) {
+        switch (fault.kind) {
+        case Kind::solvesItself:
+            faults.emplace_back("an empty toolbox solves it");
+            break;
+        case Kind::fewKinds:
+            faults.push_back(fmt::format("its recorded solutions are of {} kind{}, not of 2", fault.kinds,
+                                         fault.kinds == 1 ? "" : "s"));
+            break;
+        case Kind::fails:
+            faults.push_back(fmt::format("'{}' does not solve it", fault.name));
+            break;
+        case Kind::fragile:
+            faults.push_back(fmt::format("'{}' succeeds in only {:.0f} % of its displaced runs", fault.name,
+                                         100 * fault.share));
+            break;
+        case Kind::lucky:
+            faults.push_back(fmt::format("{}, dropped at random, solves it in {:.0f} % of tries", fault.name,
+                                         100 * fault.share));
+            break;
         }
     }
     return faults;

@@ -8,6 +8,7 @@
 #include "insight/robustness/robustness.hpp"
 #include "insight/search/search.hpp"
 
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
@@ -25,6 +26,9 @@ struct ReportOptions {
     std::uint64_t search = 0; ///< trials in search of other solutions; 0: none
     /// Called with what is being done, for progress; may be empty.
     std::function<void(std::string const&)> step;
+    /// Called after each part of the work with what is known by then, for who shows it as it comes; may be
+    /// empty. What is not known yet is empty, and robustness has no runs.
+    std::function<void(struct LevelReport const&)> sofar;
 };
 
 struct SolutionReport {
@@ -52,13 +56,39 @@ struct LevelReport {
     std::optional<SearchResult> search;
     /// By index in search->found: the recorded solution of the same kind; empty: there is none.
     std::vector<std::string> foundAs;
-    bool complete = true; ///< false: the work was stopped before its end
+    bool complete = true;  ///< false: the work was stopped before its end
+    bool examined = false; ///< the empty toolbox and every recorded solution were run
 };
 
 /// Runs the level many times. Everything but the times depends on the level, the options and the program
 /// only. Throws InputError if a recorded solution cannot be run.
 [[nodiscard]] LevelReport reportOn(LevelUnderTest const& level, ReportOptions const& options,
                                    Workers& workers);
+
+/// What a level's effects cost, and how it may be computed.
+struct LevelCosts {
+    std::vector<EffectCost> costs; ///< of its first solution that solves it, else of a run hands off
+    std::vector<WayToCompute> ways;
+};
+/// That part of a report alone, as it takes long. Throws as reportOn().
+[[nodiscard]] LevelCosts costsOf(LevelUnderTest const& level, Workers& workers);
+
+/// One reason why a puzzle falls short.
+struct Shortcoming {
+    enum class Kind : std::uint8_t {
+        solvesItself, ///< an empty toolbox solves it
+        fewKinds,     ///< its solutions are of `kinds` kinds
+        fails,        ///< the recorded solution `name` does not solve it
+        fragile,      ///< it succeeds in only a share of its displaced runs
+        lucky         ///< the part `name`, dropped at random, solves it in that share of its runs
+    };
+    Kind kind = Kind::solvesItself;
+    std::string name{};
+    std::size_t kinds = 0;
+    double share = 0; ///< 0 to 1
+};
+/// See shortcomings(). Of a report that is not complete: what is known by then.
+[[nodiscard]] std::vector<Shortcoming> shortcomingsOf(LevelReport const& report);
 
 /// Why a puzzle falls short of what is expected of one, in words; nothing expected of a demonstration: an
 /// empty toolbox does not solve it, two recorded solutions differ in kind, each succeeds in 90 % of its

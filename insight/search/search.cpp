@@ -187,6 +187,9 @@ private:
         if (options_.progress) {
             options_.progress(result_.runs, result_.found.size());
         }
+        if (options_.sofar) {
+            options_.sofar(result_);
+        }
     }
 
     /// Reduces solutions to what they need, and keeps those of new kinds.

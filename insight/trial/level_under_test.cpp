@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 namespace trembler::insight {
 namespace {
@@ -34,7 +35,10 @@ double secondsStated(nlohmann::json const& goals) {
 } // namespace
 
 LevelUnderTest::LevelUnderTest(GameData const& data, std::filesystem::path const& file)
-    : data_(data), level_(asPlayed(loadLevel(data.registry, file), "")), name_(data.shortName(file)) {
+    : LevelUnderTest(data, loadLevel(data.registry, file), data.shortName(file)) {}
+
+LevelUnderTest::LevelUnderTest(GameData const& data, LevelFile level, std::string name)
+    : data_(data), level_(asPlayed(std::move(level), "")), name_(std::move(name)) {
     if (level_.goals.is_null()) {
         throw std::invalid_argument(fmt::format("{}: the level has no goals, so nothing solves it", name_));
     }

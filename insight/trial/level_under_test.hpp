@@ -19,6 +19,8 @@ public:
     /// Throws InputError if the level cannot be read or built, std::invalid_argument if it has no goals. A
     /// demonstration with a task is tested as it is played: its goals are the task.
     LevelUnderTest(GameData const& data, std::filesystem::path const& file);
+    /// The same of a level that may be in no file, such as one that is being edited.
+    LevelUnderTest(GameData const& data, LevelFile level, std::string name);
 
     [[nodiscard]] GameData const& data() const { return data_; }
     [[nodiscard]] LevelFile const& level() const { return level_; }

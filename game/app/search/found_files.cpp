@@ -1,5 +1,6 @@
 #include "game/app/search/found_files.hpp"
 
+#include "insight/search/recorded.hpp"
 #include "runtime/file/output_file.hpp"
 #include "runtime/level/write/write_level.hpp"
 
@@ -9,7 +10,6 @@
 #endif
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include <system_error>
@@ -18,8 +18,6 @@ namespace trembler {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::uint64_t framesAfter = 60; // shown after the level is solved
 
 #ifndef TREMBLER_HEADLESS
 void drawFound(GameData const& data, fs::path const& level, insight::FoundSolution const& found,
@@ -37,15 +35,6 @@ void drawFound(GameData const& data, fs::path const& level, insight::FoundSoluti
 
 } // namespace
 
-Solution namedSolution(insight::FoundSolution const& found, std::size_t number) {
-    Solution solution = found.needs.least;
-    std::vector<std::string> makings = found.needs.parts;
-    makings.insert(makings.end(), found.needs.deeds.begin(), found.needs.deeds.end());
-    solution.name = fmt::format("found {}: {}", number, fmt::join(makings, ", "));
-    solution.frames = static_cast<int>(found.needs.frame + framesAfter);
-    return solution;
-}
-
 KeptFiles keepFound(GameData const& data, fs::path const& level, insight::FoundSolution const& found,
                     std::size_t number, fs::path const& folder) {
     std::error_code error;
@@ -56,7 +45,7 @@ KeptFiles keepFound(GameData const& data, fs::path const& level, insight::FoundS
     KeptFiles files;
     std::string const stem = fmt::format("{}-found-{}", level.stem().string(), number);
     files.solution = folder / (stem + ".json");
-    writeFile(files.solution, writeSolution(namedSolution(found, number)).dump(2) + "\n");
+    writeFile(files.solution, writeSolution(insight::keptSolution(found, number)).dump(2) + "\n");
 #ifdef TREMBLER_HEADLESS
     files.whyNoPicture = "this build was made without drawing";
     (void)data;

@@ -15,9 +15,6 @@ struct KeptFiles {
     std::string whyNoPicture;
 };
 
-/// The solution as it is kept, with a name made of its parts and deeds, and its length.
-[[nodiscard]] Solution namedSolution(insight::FoundSolution const& found, std::size_t number);
-
 /// Writes LEVEL-found-NUMBER.json and .png into the folder, which is made if it is missing. Replaces files of
 /// these names. Throws OutputError if the solution cannot be written; a picture that cannot be drawn, for
 /// example by a program without the window, is left out.

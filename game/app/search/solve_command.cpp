@@ -7,8 +7,7 @@
 #include "game/app/search/found_files.hpp"
 #include "game/app/search/worker_options.hpp"
 #include "insight/report/report_text.hpp"
-#include "insight/search/search.hpp"
-#include "insight/trial/trial.hpp"
+#include "insight/search/recorded.hpp"
 #include "runtime/file/visible_text.hpp"
 #include "runtime/level/write/write_level.hpp"
 
@@ -38,34 +37,6 @@ struct SolveArguments {
 };
 
 constexpr std::uint64_t usualRuns = 2000;
-
-/// The recorded solutions and their causes, to say which of them were found again.
-struct Recorded {
-    std::string name;
-    insight::CauseGraph graph;
-};
-
-std::vector<Recorded> recordedIn(insight::LevelUnderTest const& level) {
-    insight::LevelRuns const runs(level.data(), level.level());
-    std::vector<Recorded> all;
-    for (Solution const& solution : level.level().solutions) {
-        insight::Needs const needs = insight::needsOf(runs, solution, insight::framesOf(solution));
-        if (needs.solves) {
-            all.push_back(
-                {solution.name, insight::causeGraphOf(runs, needs.least, insight::framesOf(solution))});
-        }
-    }
-    return all;
-}
-
-std::string recordedAs(std::vector<Recorded> const& recorded, insight::FoundSolution const& found) {
-    for (Recorded const& one : recorded) {
-        if (!differ(one.graph, found.graph)) {
-            return one.name;
-        }
-    }
-    return "";
-}
 
 nlohmann::ordered_json countsOf(insight::SearchResult const& result) {
     nlohmann::ordered_json counts;
@@ -119,7 +90,8 @@ int solveLevel(SolveArguments const& arguments) {
     if (!place.leads()) {
         return exitSolved;
     }
-    auto const recorded = recordedIn(level);
+    insight::Workers own({.threads = arguments.work.threads}); // not the team, whose others have ended
+    auto const recorded = recordedKinds(level, own);
     bool const words = json == nullptr || !json->isStandardOutput();
     nlohmann::ordered_json all;
     all["level"] = level.name();

@@ -1,6 +1,7 @@
 #include "game/ui/edit/edit_parts.hpp"
 
 #include "game/ui/edit/edit_words.hpp"
+#include "game/ui/edit/study/level_studies.hpp"
 #include "game/ui/shared/shown_faults.hpp"
 #include "puzzle/edit/commands/editor_state.hpp"
 #include "puzzle/edit/commands/objects.hpp"
@@ -29,7 +30,7 @@ constexpr double quickCheck = 0.004;
 
 EditParts::EditParts(UiContext& uiContext, EditOptions editOptions)
     : context(uiContext), options(std::move(editOptions)), data(options.data),
-      document(edit::LevelDocument::blank(*data)), plain_(data) {
+      document(edit::LevelDocument::blank(*data)), studies(std::make_shared<LevelStudies>()), plain_(data) {
     dataParts.emplace(data->parts, context.canvas);
     autosave = std::make_unique<edit::Autosave>(options.recovery);
     names = context.profile.settings().names;
@@ -68,6 +69,7 @@ void EditParts::use(edit::LevelDocument next, std::shared_ptr<GameData const> ne
     partInHand.clear();
     goalChosen = false;
     goals.forget();
+    studies->forget();
     tool = Tool::select;
     readRevision_.reset();
     read();

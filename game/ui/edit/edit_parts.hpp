@@ -29,6 +29,8 @@
 
 namespace trembler::ui {
 
+class LevelStudies;
+
 struct EditOptions {
     /// Without mods; not nullptr.
     std::shared_ptr<GameData const> data;
@@ -103,12 +105,13 @@ struct EditParts {
     FileBrowser browser;
     CommandPalette palette;
     Dialogs dialogs;
-    std::unique_ptr<PlayScreen> test;     ///< while the level is test-played
-    std::string recordsOver;              ///< the solution that the next recording replaces; empty: none
-    LiveGoals goals;                      ///< of the present or the last test play
-    Pointer pointer;                      ///< of this picture
-    std::optional<ScreenRequest> request; ///< what this picture asks of the program
-    std::optional<ScreenRequest> leaving; ///< asked for once the changes are saved or given up
+    std::unique_ptr<PlayScreen> test;      ///< while the level is test-played
+    std::string recordsOver;               ///< the solution that the next recording replaces; empty: none
+    LiveGoals goals;                       ///< of the present or the last test play
+    std::shared_ptr<LevelStudies> studies; ///< what was found out about the level, and what is; not nullptr
+    Pointer pointer;                       ///< of this picture
+    std::optional<ScreenRequest> request;  ///< what this picture asks of the program
+    std::optional<ScreenRequest> leaving;  ///< asked for once the changes are saved or given up
     std::function<void(EditParts&)> afterSaving; ///< what waits for it; empty: nothing
 
     [[nodiscard]] edit::Json const& tree() const { return document.tree(); }

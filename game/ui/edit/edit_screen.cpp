@@ -8,6 +8,7 @@
 #include "game/ui/edit/edit_words.hpp"
 #include "game/ui/edit/panels/bars.hpp"
 #include "game/ui/edit/panels/side_panel.hpp"
+#include "game/ui/edit/study/level_studies.hpp"
 #include "game/ui/edit/view/edit_drawing.hpp"
 #include "render/draw/palette.hpp"
 #include "render/panels/buttons.hpp"
@@ -256,7 +257,7 @@ bool EditScreen::still() const {
         return parts_.test->still();
     }
     // The list of problems follows a change later, but sooner than the program takes pictures to be at rest.
-    return mouse_.doing() == EditMouse::Doing::nothing;
+    return mouse_.doing() == EditMouse::Doing::nothing && !parts_.studies->busy();
 }
 
 void EditScreen::draw() {
@@ -294,6 +295,7 @@ bool EditScreen::mayLeaveFor(ScreenRequest const& asked) {
 
 void EditScreen::leave() {
     actions::endTest(parts_);
+    parts_.studies->stopAll();
     // In order: what was not saved was given up.
     parts_.autosave->close();
 }

@@ -1,6 +1,8 @@
 #include "tests/game/ui/screen_walk.hpp"
 
 #include "game/ui/app/title_screen.hpp"
+#include "game/ui/edit/edit_screen.hpp"
+#include "game/ui/edit/study/level_studies.hpp"
 #include "runtime/placement.hpp"
 
 #include <array>
@@ -51,6 +53,26 @@ void lookAtWhatIf(Player& player, Look const& look) {
     player.key(SDLK_PAGEDOWN, KMOD_LSHIFT);
     restPointer(player);
     look("level-what-if");
+}
+
+/// The report on the level, and what else solves it, of few runs.
+void walkStudies(Player& player, Look const& look) {
+    LevelStudies& studies = *dynamic_cast<EditScreen&>(player.app().screen()).parts().studies;
+    studies.reportOptions.robustness.runs = 8;
+    studies.reportOptions.drops = 8;
+    studies.reportOptions.mapReach = 3;
+    studies.wishes.runs = 40;
+    player.key(SDLK_e, KMOD_LCTRL);
+    studies.report().work->wait();
+    player.frames(settled);
+    player.scrollTo("panel", "reported 0");
+    player.clickItem("reported 0");
+    restPointer(player);
+    look("edit-report");
+    player.key(SDLK_f, KMOD_LCTRL);
+    studies.searched().work->wait();
+    restPointer(player);
+    look("edit-search");
 }
 
 } // namespace
@@ -173,6 +195,7 @@ void walkEditor(Player& player, Look const& look) {
     look("edit-level");
     press(SDLK_F7);
     look("edit-solutions");
+    walkStudies(player, look);
     press(SDLK_F8);
     look("edit-problems");
     player.key(SDLK_p, KMOD_LCTRL);

@@ -40,6 +40,36 @@ TEST(LevelReport, SaysWhatTheSolutionsOfTheFirstLevelNeed) {
     EXPECT_EQ(toMarkdown({reportOn(firstContact(), shortReport(), one)}), page);
 }
 
+TEST(LevelReport, ShowsWhatItHasAfterEachPart) {
+    ReportOptions options = shortReport();
+    options.maps = true;
+    options.mapReach = 1;
+    std::vector<LevelReport> shown;
+    options.sofar = [&](LevelReport const& report) { shown.push_back(report); };
+    Workers workers(onThreads(2));
+    LevelReport const report = reportOn(firstContact(), options, workers);
+    ASSERT_EQ(shown.size(), 4U);
+    EXPECT_TRUE(shown[0].examined);
+    EXPECT_FALSE(shown[0].complete);
+    EXPECT_EQ(shown[0].solutions.size(), 3U);
+    EXPECT_EQ(shown[0].solutions[0].robustness.runs, 0);
+    EXPECT_GT(shown[1].solutions[0].robustness.runs, 0);
+    EXPECT_TRUE(shown[1].drops.empty());
+    EXPECT_FALSE(shown[2].drops.empty());
+    EXPECT_FALSE(shown[3].solutions[0].maps.empty());
+    EXPECT_TRUE(report.complete);
+    // Whoever looks on changes nothing.
+    options.sofar = nullptr;
+    EXPECT_EQ(toJson(reportOn(firstContact(), options, workers)), toJson(report));
+}
+
+TEST(LevelReport, SaysThatNotEverythingWasExaminedIfItIsStopped) {
+    Workers workers(onThreads(1, nullptr, nullptr, [] { return true; }));
+    LevelReport const report = reportOn(firstContact(), shortReport(), workers);
+    EXPECT_FALSE(report.examined);
+    EXPECT_FALSE(report.complete);
+}
+
 TEST(LevelReport, MeasuresWhatIsNeededToComputeALevel) {
     ReportOptions options = shortReport();
     options.robustness.runs = 0;
@@ -73,6 +103,11 @@ TEST(LevelReport, NamesTheShortcomingsOfAPuzzle) {
     report.solutions.push_back(fragile);
     report.drops.push_back({"crate", 100, 6});
     EXPECT_EQ(shortcomings(report).size(), 3U);
+    ASSERT_EQ(shortcomingsOf(report).size(), 3U);
+    EXPECT_EQ(shortcomingsOf(report)[1].kind, Shortcoming::Kind::fragile);
+    EXPECT_EQ(shortcomingsOf(report)[1].name, "a");
+    EXPECT_EQ(shortcomingsOf(report)[2].kind, Shortcoming::Kind::lucky);
+    EXPECT_DOUBLE_EQ(shortcomingsOf(report)[2].share, 0.06);
     report.drops.front().solved = 5;
     report.solutions.front().robustness.solved = 9;
     EXPECT_EQ(shortcomings(report).size(), 1U);

@@ -30,9 +30,25 @@ void leaveFor(EditParts& parts, std::function<void(EditParts&)> const& then);
 void testPlay(EditParts& parts);
 /// Plays a recorded solution; with `again` what is recorded then replaces it.
 void playSolution(EditParts& parts, std::string const& name, bool again);
+/// Plays a run that need not be recorded in the level.
+void playRun(EditParts& parts, Solution const& solution);
 void endTest(EditParts& parts);
 void recordSolution(EditParts& parts);
 [[nodiscard]] bool isTesting(EditParts const& parts);
+
+// Finding out about the level, beside the designer's work.
+/// Shows the page, and makes the report anew or, while it is made, stops it.
+void makeReport(EditParts& parts);
+void measureCosts(EditParts& parts);
+/// Shows the page, and begins the search, or stops it.
+void searchSolutions(EditParts& parts);
+/// Records what the search has found as a solution of the level, by its number from 0.
+void keepFound(EditParts& parts, std::size_t found);
+[[nodiscard]] bool isReporting(EditParts const& parts);
+[[nodiscard]] bool isSearching(EditParts const& parts);
+/// Of the document without what the editor keeps about objects; and without recorded solutions, which a
+/// search does not look at. Equal texts: the same level.
+[[nodiscard]] std::string const& stateOf(EditParts const& parts, bool withSolutions);
 
 // Changes.
 void undo(EditParts& parts);

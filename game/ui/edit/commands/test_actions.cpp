@@ -37,6 +37,25 @@ std::unique_ptr<PlayScreen> playScreenFor(EditParts& parts) {
     }
 }
 
+/// Plays the solution, or with `over` waits with its parts for what then replaces the one of that name.
+void beginRun(EditParts& parts, std::unique_ptr<PlayScreen> screen, Solution const& solution,
+              std::string const& over) {
+    try {
+        screen->session().load(solution);
+    } catch (InputError const& error) {
+        std::vector<Diagnostic> const& all = error.diagnostics();
+        parts.tell(words::cannotTest(all.empty() ? shownError(error) : translated(all.front().message)),
+                   ToastKind::Trouble);
+        return;
+    }
+    parts.test = std::move(screen);
+    parts.test->worldChanged();
+    parts.recordsOver = over;
+    if (over.empty()) {
+        parts.test->commands().run("run");
+    }
+}
+
 } // namespace
 
 void testPlay(EditParts& parts) {
@@ -50,24 +69,15 @@ void playSolution(EditParts& parts, std::string const& name, bool again) {
     if (screen == nullptr) {
         return;
     }
-    Solution const* const solution = screen->session().level().findSolution(name);
-    if (solution == nullptr) {
-        return;
+    if (Solution const* const solution = screen->session().level().findSolution(name)) {
+        beginRun(parts, std::move(screen), *solution, again ? name : "");
     }
-    try {
-        screen->session().load(*solution);
-    } catch (InputError const& error) {
-        std::vector<Diagnostic> const& all = error.diagnostics();
-        parts.tell(words::cannotTest(all.empty() ? shownError(error) : translated(all.front().message)),
-                   ToastKind::Trouble);
-        return;
-    }
-    parts.test = std::move(screen);
-    parts.test->worldChanged();
-    if (again) {
-        parts.recordsOver = name;
-    } else {
-        parts.test->commands().run("run");
+}
+
+void playRun(EditParts& parts, Solution const& solution) {
+    parts.recordsOver.clear();
+    if (auto screen = playScreenFor(parts)) {
+        beginRun(parts, std::move(screen), solution, "");
     }
 }
 

@@ -4,6 +4,7 @@
 #include "game/ui/edit/edit_words.hpp"
 #include "game/ui/edit/panels/bars.hpp"
 #include "game/ui/edit/panels/tool_icons.hpp"
+#include "game/ui/edit/study/study_words.hpp"
 #include "render/draw/palette.hpp"
 #include "render/panels/theme.hpp"
 
@@ -20,12 +21,14 @@ struct TabRow {
     char const* id;
     char const* const& title; // in the language in use
 };
-std::array<TabRow, 7> const tabRows{{{Tab::parts, "edit-parts", words::tabParts},
+std::array<TabRow, 9> const tabRows{{{Tab::parts, "edit-parts", words::tabParts},
                                      {Tab::outline, "edit-outline", words::tabOutline},
                                      {Tab::properties, "edit-properties", words::tabProperties},
                                      {Tab::goals, "edit-goals", words::tabGoals},
                                      {Tab::level, "edit-level", words::tabLevel},
                                      {Tab::solutions, "edit-solutions", words::tabSolutions},
+                                     {Tab::report, "edit-report", words::tabReport},
+                                     {Tab::search, "edit-search", words::tabSearch},
                                      {Tab::problems, "edit-problems", words::tabProblems}}};
 
 /// The number of problems on the tab of their page.
@@ -46,8 +49,9 @@ void drawBadge(std::size_t count) {
 
 void drawTabs(EditParts& parts, CommandSet const& commands) {
     CommandButtons const buttons(parts.context.layout, parts.context.keys, commands);
-    float const gap = 4;
-    float const width = (ImGui::GetContentRegionAvail().x / theme().scale - 6 * gap) / 7;
+    float const gap = 3;
+    auto const count = static_cast<float>(tabRows.size());
+    float const width = (ImGui::GetContentRegionAvail().x / theme().scale - (count - 1) * gap) / count;
     for (TabRow const& row : tabRows) {
         if (row.tab != Tab::parts) {
             ImGui::SameLine(0, scaled(gap));
@@ -119,6 +123,12 @@ PanelUse drawSidePanel(EditParts& parts, CommandSet const& commands) {
         break;
     case Tab::solutions:
         drawSolutionsPage(parts);
+        break;
+    case Tab::report:
+        drawReportPage(parts);
+        break;
+    case Tab::search:
+        drawSearchPage(parts);
         break;
     case Tab::problems:
         drawProblemsPage(parts);

@@ -1,5 +1,5 @@
-// The panel at the right: its pages are the parts, the outline, properties, goals, texts, solutions,
-// problems.
+// The panel at the right: its pages are the parts, the outline, properties, goals, texts, solutions, the
+// report on the level, the search for other solutions, problems.
 #pragma once
 
 #include "game/ui/edit/edit_parts.hpp"
@@ -26,6 +26,9 @@ void drawLevelPage(EditParts& parts);
 /// The section of the level's page about what a beginner is shown.
 void drawTeachingSteps(EditParts& parts);
 void drawSolutionsPage(EditParts& parts);
+/// See study/: what was found out about the level.
+void drawReportPage(EditParts& parts);
+void drawSearchPage(EditParts& parts);
 void drawProblemsPage(EditParts& parts);
 
 } // namespace trembler::ui

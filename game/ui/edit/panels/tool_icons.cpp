@@ -181,6 +181,14 @@ void drawTabIcon(ImDrawList& list, Tab tab, ImVec2 centre, float size, ImU32 col
         return drawIcon(list, Icon::Script, centre, size, colour);
     case Tab::solutions:
         return drawIcon(list, Icon::Record, centre, size, colour);
+    case Tab::report: // a sheet with a chart
+        pen.frame(-0.7F, -0.9F, 0.7F, 0.9F);
+        pen.line(-0.35F, 0.55F, -0.35F, 0.1F);
+        pen.line(0, 0.55F, 0, -0.45F);
+        return pen.line(0.35F, 0.55F, 0.35F, -0.15F);
+    case Tab::search: // a magnifying glass
+        pen.ring(-0.2F, -0.2F, 0.55F);
+        return pen.line(0.22F, 0.22F, 0.85F, 0.85F);
     case Tab::problems:
         pen.list.AddTriangle(pen.at(0, -0.8F), pen.at(0.9F, 0.75F), pen.at(-0.9F, 0.75F), colour,
                              pen.thick());

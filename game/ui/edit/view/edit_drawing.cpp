@@ -1,5 +1,6 @@
 #include "game/ui/edit/view/edit_drawing.hpp"
 
+#include "game/ui/edit/study/place_map_view.hpp"
 #include "game/ui/shared/scene_words.hpp"
 #include "puzzle/edit/commands/connect.hpp"
 #include "puzzle/edit/commands/editor_state.hpp"
@@ -239,6 +240,7 @@ void drawEditedScene(EditParts& parts, EditMouse const& mouse) {
     drawAreas(canvas, parts);
     if (world != nullptr) {
         drawLinks(canvas, parts);
+        drawPlaceMap(parts, canvas);
         drawSelection(canvas, parts, mouse);
         drawPreview(canvas, parts, mouse);
     }

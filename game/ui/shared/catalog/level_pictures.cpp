@@ -1,10 +1,9 @@
 #include "game/ui/shared/catalog/level_pictures.hpp"
 
+#include "game/ui/shared/catalog/small_scene.hpp"
 #include "puzzle/session/session.hpp"
 #include "render/draw/palette.hpp"
 #include "render/gl/error.hpp"
-#include "render/scene/facts/pick.hpp"
-#include "render/scene/scene_view.hpp"
 #include "runtime/level/json/diagnostic.hpp"
 #include "runtime/level/read/read_level.hpp"
 
@@ -22,19 +21,7 @@ void LevelPictures::drawInto(Framebuffer const& target, CatalogEntry const& leve
     auto const data = data_ ? data_(level.file) : nullptr;
     Registry const& registry = data ? data->registry : registry_;
     Session const session(registry, data ? data->parts : parts_, loadLevel(registry, level.file));
-    World const& world = session.world();
-    Size const size = target.size();
-    Camera camera{{}, 100, size};
-    if (Extent const extent = sceneFocus(world); !extent.empty()) {
-        camera.fit(extent.lower, extent.upper, 0.05 * size.height);
-    }
-    target.bind();
-    clearBound(palette::paper);
-    // Lines as thin as on a screen of which this is a small copy.
-    canvas_.begin(camera, {.uiScale = static_cast<float>(size.height) / 360.F, .shadows = false});
-    canvas_.paper();
-    drawScene(canvas_, world, {});
-    canvas_.end();
+    drawSmallScene(canvas_, target, session.world());
 }
 
 unsigned LevelPictures::texture(CatalogEntry const& level, Size size) {

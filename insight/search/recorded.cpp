@@ -1,0 +1,54 @@
+#include "insight/search/recorded.hpp"
+
+#include "insight/trial/trial.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <optional>
+
+namespace trembler::insight {
+namespace {
+
+constexpr std::uint64_t framesAfter = 60; // shown after the level is solved
+
+} // namespace
+
+std::vector<RecordedKind> recordedKinds(LevelUnderTest const& level, Workers& workers) {
+    LevelRuns const runs(level.data(), level.level());
+    std::vector<Solution> const& solutions = level.level().solutions;
+    std::vector<std::string> keys;
+    for (Solution const& solution : solutions) {
+        keys.push_back(fmt::format("recorded kind/{}/{}", level.identity(), solution.name));
+    }
+    auto const results = workers.share(keys, [&](std::size_t index) {
+        Solution const& solution = solutions[index];
+        Needs const needs = needsOf(runs, solution, framesOf(solution));
+        return toText(needs.solves ? causeGraphOf(runs, needs.least, framesOf(solution)) : CauseGraph());
+    });
+    std::vector<RecordedKind> kinds;
+    for (std::size_t i = 0; i < solutions.size(); ++i) {
+        if (CauseGraph graph = results[i] ? causeGraphFrom(*results[i]) : CauseGraph(); graph.solves) {
+            kinds.push_back({solutions[i].name, std::move(graph)});
+        }
+    }
+    return kinds;
+}
+
+std::string recordedAs(std::vector<RecordedKind> const& recorded, FoundSolution const& found) {
+    auto const same = std::find_if(recorded.begin(), recorded.end(),
+                                   [&](RecordedKind const& one) { return !differ(one.graph, found.graph); });
+    return same == recorded.end() ? std::string() : same->name;
+}
+
+Solution keptSolution(FoundSolution const& found, std::size_t number) {
+    Solution solution = found.needs.least;
+    std::vector<std::string> makings = found.needs.parts;
+    makings.insert(makings.end(), found.needs.deeds.begin(), found.needs.deeds.end());
+    solution.name = fmt::format("found {}: {}", number, fmt::join(makings, ", "));
+    solution.frames = static_cast<int>(found.needs.frame + framesAfter);
+    return solution;
+}
+
+} // namespace trembler::insight

@@ -1,0 +1,29 @@
+// Compares what a search finds with what a level's designer recorded.
+#pragma once
+
+#include "insight/search/search.hpp"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace trembler::insight {
+
+/// A recorded solution and its causes, without what it does not need.
+struct RecordedKind {
+    std::string name;
+    CauseGraph graph;
+};
+
+/// Of the recorded solutions that solve the level, in its order; of those that were finished if the workers
+/// are stopped. Throws InputError if one cannot be run.
+[[nodiscard]] std::vector<RecordedKind> recordedKinds(LevelUnderTest const& level, Workers& workers);
+
+/// The first recorded solution of the same kind; empty: there is none.
+[[nodiscard]] std::string recordedAs(std::vector<RecordedKind> const& recorded, FoundSolution const& found);
+
+/// A found solution as it is kept: with a name made of its parts and deeds, "found 2: steel bar", and as long
+/// as it takes, and 1 s.
+[[nodiscard]] Solution keptSolution(FoundSolution const& found, std::size_t number);
+
+} // namespace trembler::insight
