@@ -1,6 +1,7 @@
 #include "tests/game/ui/screen_walk.hpp"
 
 #include "game/ui/app/title_screen.hpp"
+#include "render/window/gamepad.hpp"
 
 #include <array>
 #include <utility>
@@ -146,6 +147,15 @@ void walkEditor(Player& player, Look const& look) {
     look("edit-goals");
     press(SDLK_F6);
     look("edit-level");
+    player.key(SDLK_F9);
+    player.frames(2);
+    player.key(SDLK_DOWN);
+    player.key(render::padKey(SDL_CONTROLLER_BUTTON_A)); // types the title by a gamepad
+    player.frames(settled);
+    look("edit-letters");
+    player.key(render::padKey(SDL_CONTROLLER_BUTTON_B));
+    player.frames(2);
+    player.key(SDLK_ESCAPE);
     press(SDLK_F7);
     look("edit-solutions");
     press(SDLK_F8);
