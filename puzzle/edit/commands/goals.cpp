@@ -1,6 +1,7 @@
 #include "puzzle/edit/commands/goals.hpp"
 
 #include "puzzle/edit/commands/contents.hpp"
+#include "puzzle/edit/commands/translations.hpp"
 #include "puzzle/edit/tree/tree_access.hpp"
 
 #include <fmt/format.h>
@@ -234,6 +235,10 @@ Command setGoalOption(Json const& level, std::string const& place, std::string c
                             : fmt::format("Change '{}' of goal", key),
             [=](Json& tree) {
                 Json& there = conditionAt(tree, place, which);
+                std::string const before = textOf(there, "id");
+                if (key == "id" && !before.empty() && value.is_string() && !value.empty()) {
+                    translationsRenamedGoal(tree, before, value.get<std::string>());
+                }
                 if (value.is_null()) {
                     there.erase(key);
                 } else {

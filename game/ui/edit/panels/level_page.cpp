@@ -203,6 +203,7 @@ void drawLevelPage(EditParts& parts) {
     drawTeachingSteps(parts);
     drawWorld(parts);
     drawMods(parts);
+    drawTranslations(parts);
 }
 
 } // namespace trembler::ui
