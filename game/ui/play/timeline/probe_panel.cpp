@@ -7,6 +7,7 @@
 #include "insight/probe/watch_table.hpp"
 #include "render/draw/palette.hpp"
 #include "render/panels/buttons.hpp"
+#include "render/panels/check_box.hpp"
 #include "render/panels/theme.hpp"
 #include "runtime/level/json/diagnostic.hpp"
 
@@ -319,7 +320,7 @@ std::string ProbePanel::drawChoice(Layout& layout, World const& world, std::stri
         ImGui::BeginChild("quantities", {0, scaled(choiceHeight - 110)});
         for (Quantity const& quantity : quantitiesOf(world, object)) {
             bool on = probes_.has(quantity.what);
-            if (ImGui::Checkbox((quantity.name + "##" + quantity.what).c_str(), &on)) {
+            if (render::checkBox((quantity.name + "##" + quantity.what).c_str(), &on)) {
                 toggle(quantity.what);
             }
             layout.item("plot " + quantity.what);
