@@ -34,7 +34,8 @@ protected:
             press(SDL_CONTROLLER_BUTTON_RIGHTSHOULDER);
         }
         ASSERT_EQ(designer.parts().tab, Tab::level);
-        press(SDL_CONTROLLER_BUTTON_DPAD_DOWN);
+        press(SDL_CONTROLLER_BUTTON_DPAD_DOWN); // the ring is seen from the first move on
+        press(SDL_CONTROLLER_BUTTON_DPAD_UP, 2);
     }
     /// Opens the menu and presses a row of it; the first one is 0, those in one row count once.
     void chooseInMenu(int row, bool right) {
