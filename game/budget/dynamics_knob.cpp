@@ -40,7 +40,7 @@ std::optional<Knob> dynamicsKnob(World const& world, MotionLog const& log) {
     auto const settings = settingsOf<DynamicsSettings>(world);
     Knob knob;
     knob.effect = effect;
-    knob.of = "of a second's fall";
+    knob.of = "of the way that a thing falls in a second";
     knob.source = "Half a step times the change of velocities in the last second, as the engines' steps are "
                   "of the first order.";
     knob.components.push_back(title(*now->info));

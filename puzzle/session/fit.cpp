@@ -44,7 +44,10 @@ std::optional<std::string> overlapped(World const& world, PlacedShape const& can
             auto const [low, high] = extentOf(there);
             bool const near = low.x < upper.x && lower.x < high.x && low.y < upper.y && lower.y < high.y;
             if (near && overlap(candidate, there, allowedOverlap)) {
-                why = fmt::format("it would overlap the {}", world.store().nameOf(id));
+                std::string const name = world.store().nameOf(id);
+                bool const numbered = !name.empty() && name.back() >= '0' && name.back() <= '9';
+                why = numbered ? fmt::format("it would overlap {}", name) // "spanner 1"
+                               : fmt::format("it would overlap the {}", name);
             }
         },
         *shapes, *positions);

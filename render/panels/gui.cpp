@@ -110,19 +110,21 @@ void Gui::feedMouse(InputEvents const& input) {
 namespace {
 
 /// The key by which ImGui's widgets know what a button of a gamepad does: the directional pad moves among
-/// them, its lower button presses, the right one leaves. Other events are returned as they are.
+/// them, its lower button presses, the right one leaves, the left one begins to type, also into a number that
+/// can be dragged. Other events are returned as they are.
 SDL_Event asKeyOfWidgets(SDL_Event event) {
     struct Stands {
         SDL_Keycode pad;
         SDL_Keycode key;
         SDL_Scancode code;
     };
-    static constexpr std::array<Stands, 6> all{
+    static constexpr std::array<Stands, 7> all{
         {{padKey(SDL_CONTROLLER_BUTTON_DPAD_UP), SDLK_UP, SDL_SCANCODE_UP},
          {padKey(SDL_CONTROLLER_BUTTON_DPAD_DOWN), SDLK_DOWN, SDL_SCANCODE_DOWN},
          {padKey(SDL_CONTROLLER_BUTTON_DPAD_LEFT), SDLK_LEFT, SDL_SCANCODE_LEFT},
          {padKey(SDL_CONTROLLER_BUTTON_DPAD_RIGHT), SDLK_RIGHT, SDL_SCANCODE_RIGHT},
          {padKey(SDL_CONTROLLER_BUTTON_A), SDLK_SPACE, SDL_SCANCODE_SPACE},
+         {padKey(SDL_CONTROLLER_BUTTON_X), SDLK_RETURN, SDL_SCANCODE_RETURN},
          {padKey(SDL_CONTROLLER_BUTTON_B), SDLK_ESCAPE, SDL_SCANCODE_ESCAPE}}};
     if (event.type == SDL_KEYDOWN || event.type == SDL_KEYUP) {
         for (Stands const& one : all) {
@@ -141,6 +143,10 @@ SDL_Event asKeyOfWidgets(SDL_Event event) {
 void Gui::beginFrame(InputEvents const& input, double seconds) {
     followScale();
     for (SDL_Event const& event : input.events()) {
+        SDL_Event const shown = asKeyOfWidgets(event);
+        ImGui_ImplSDL2_ProcessEvent(&shown);
+    }
+    for (SDL_Event const& event : input.typed()) {
         SDL_Event const shown = asKeyOfWidgets(event);
         ImGui_ImplSDL2_ProcessEvent(&shown);
     }

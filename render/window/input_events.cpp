@@ -3,11 +3,13 @@
 #include <SDL.h>
 
 #include <algorithm>
+#include <iterator>
 
 namespace trembler::render {
 
 void InputEvents::poll() {
     events_.clear();
+    typed_.clear();
     for (auto& button : buttons_) {
         button.pressed = button.released = button.twice = false;
     }
@@ -25,6 +27,17 @@ void InputEvents::poll() {
             }
         }
     }
+}
+
+std::vector<SDL_Event> InputEvents::takePadKeys() {
+    auto const ofPad = [](SDL_Event const& event) {
+        return (event.type == SDL_KEYDOWN || event.type == SDL_KEYUP) && isPadKey(event.key.keysym.sym);
+    };
+    std::vector<SDL_Event> taken;
+    std::copy_if(events_.begin(), events_.end(), std::back_inserter(taken), ofPad);
+    std::erase_if(events_, ofPad);
+    std::erase_if(heldKeys_, isPadKey);
+    return taken;
 }
 
 void InputEvents::take(SDL_Event const& event) {

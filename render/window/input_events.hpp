@@ -31,6 +31,13 @@ public:
     /// The events that the last poll took, in order; behind those of a gamepad the keys that they stand for.
     [[nodiscard]] std::span<SDL_Event const> events() const { return events_; }
 
+    /// Takes the keys of gamepads out of this frame's events, and from those that are held: nobody else has
+    /// them then. For a keyboard on the screen.
+    std::vector<SDL_Event> takePadKeys();
+    /// Adds an event of this frame that only the widgets get, as a keyboard on the screen makes them.
+    void typeForWidgets(SDL_Event const& event) { typed_.push_back(event); }
+    [[nodiscard]] std::span<SDL_Event const> typed() const { return typed_; }
+
     [[nodiscard]] Point mouse() const { return mouse_; }
     /// The mouse is over the window, or was pressed there and is still held.
     [[nodiscard]] bool mouseInside() const { return inside_ || anyHeld(); }
@@ -73,6 +80,7 @@ private:
     Window const& window_;
     Gamepads* pads_ = nullptr;
     std::vector<SDL_Event> events_;
+    std::vector<SDL_Event> typed_;
     std::vector<SDL_Keycode> heldKeys_;
     std::array<Button, 3> buttons_{};
     Point mouse_;

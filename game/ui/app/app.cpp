@@ -196,7 +196,7 @@ void GameApp::update(double seconds) {
 bool GameApp::lively() const {
     bool const moves = menu_.isOpen() ? context_.pictures.waiting() : !screen_->still();
     return moves || !context_.input.events().empty() || context_.toasts.count() > 0 ||
-           context_.kinds.busy() || screen_->keepsPicture();
+           context_.kinds.busy() || context_.letters.busy() || screen_->keepsPicture();
 }
 
 bool GameApp::frame(double seconds, bool seen) {
@@ -205,12 +205,15 @@ bool GameApp::frame(double seconds, bool seen) {
     bool const last = context_.profile.settings().padIsSecond;
     context_.pads.setUse(!two ? PadUse::together : last ? PadUse::lastApart : PadUse::secondApart);
     context_.input.poll();
+    context_.letters.takeInput(context_.input, seconds);
     context_.pictures.beginFrame();
     takeKinds();
     context_.gui.beginFrame(context_.input, seconds);
+    context_.letters.beginPicture();
     context_.layout.beginFrame();
     context_.focus.beginFrame();
     update(seconds);
+    context_.letters.draw(context_.layout);
     bool const drawn = seen || screen_->keepsPicture();
     if (drawn) {
         context_.window.beginFrame(render::palette::paper);

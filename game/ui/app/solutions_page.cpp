@@ -67,6 +67,8 @@ void SolutionsPage::drawName(UiContext& context, SolutionShelf& shelf, std::size
             tell(context, shelf.rename(index, name_.data()));
         }
         renamed_.reset();
+    } else if (ImGui::IsItemDeactivated()) { // given up, by a gamepad or for something else
+        renamed_.reset();
     }
 }
 

@@ -6,6 +6,7 @@
 #include "render/panels/theme.hpp"
 #include "render/panels/toolbox_tile.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace trembler::ui {
@@ -16,8 +17,12 @@ using namespace render;
 constexpr float tileSide = 92;
 constexpr float handRowHeight = 52;
 
-/// Shows the part's description while the mouse rests on its tile.
+/// Shows the part's description while the mouse rests on its tile: left of the toolbox, whose other tiles
+/// stay in sight.
 void tipFor(PartCatalog const& catalog, std::string const& part) {
+    float const top = std::min(ImGui::GetItemRectMin().y, ImGui::GetIO().DisplaySize.y - scaled(160));
+    ImGui::SetNextWindowPos({ImGui::GetWindowPos().x - scaled(10), std::max(top, 0.F)}, ImGuiCond_Always,
+                            {1, 0});
     ImGui::BeginTooltip();
     ImGui::PushFont(theme().fonts.strong);
     ImGui::TextUnformatted(catalog.titleOf(part).c_str());

@@ -68,6 +68,8 @@ void EditParts::use(edit::LevelDocument next, std::shared_ptr<GameData const> ne
     dialogs.propose({});
     partInHand.clear();
     goalChosen = false;
+    goalTree = playedTree = edit::GoalTree::goals;
+    translation.clear();
     goals.forget();
     studies->forget();
     tool = Tool::select;

@@ -12,6 +12,7 @@
 #include "game/ui/shared/screen.hpp"
 #include "game/ui/shared/ui_context.hpp"
 #include "game/ui/tools/camera_control.hpp"
+#include "puzzle/edit/commands/goals.hpp"
 #include "puzzle/edit/document/level_document.hpp"
 #include "puzzle/edit/inspect/inspector.hpp"
 #include "puzzle/edit/problems/live_problems.hpp"
@@ -97,6 +98,9 @@ struct EditParts {
     InspectedSelection inspected;    ///< of the page of properties
     std::string goalPlace;           ///< of the chosen condition
     bool goalChosen = false;
+    edit::GoalTree goalTree = edit::GoalTree::goals;   ///< which the page of goals and the scene show
+    edit::GoalTree playedTree = edit::GoalTree::goals; ///< of the test play
+    std::string translation; ///< the language of the page's translations; may be empty
 
     edit::Gesture widget; ///< of the widget that is being used: all its values are one step of undo
     std::map<std::string, std::string>

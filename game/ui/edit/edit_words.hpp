@@ -132,6 +132,15 @@ inline char const* const& addScript = editWord("Add a script …");
 // Goals.
 inline char const* const& noGoals = editWord("There is no goal yet.");
 inline char const* const& addGoal = editWord("Add a goal");
+inline char const* const& listOfObjects = editWord("Several");
+inline char const* const& listOfObjectsTip = editWord("A list: it is enough if one of them does it");
+inline char const* const& oneMore = editWord("One more");
+inline char const* const& ownGoals = editWord("By itself");
+inline char const* const& ownGoalsTip = editWord("What the demonstration reaches without the player");
+inline char const* const& taskGoals = editWord("Task");
+inline char const* const& taskTip = editWord("What a player of the demonstration is asked to reach");
+inline char const* const& noTask =
+    editWord("No task yet: whoever opens the demonstration only watches it. Choose a kind below.");
 inline char const* const& forSeconds = editWord("For");
 inline char const* const& forSecondsTip =
     editWord("How long it must hold without a break; 0: a moment is enough");
@@ -147,6 +156,20 @@ inline char const* const& textsHeading = editWord("Texts");
 inline char const* const& titleField = editWord("Title");
 inline char const* const& storyField = editWord("Text before the level");
 inline char const* const& demonstrationField = editWord("Demonstration: solves itself");
+inline char const* const& translationsHeading = editWord("Other languages");
+inline char const* const& languageField = editWord("Language");
+inline char const* const& addLanguageField = editWord("Add a language");
+inline char const* const& addLanguageTip = editWord("Two small letters, like de or fr; then Enter");
+inline char const* const& removeLanguage = editWord("Remove this language");
+inline char const* const& hintField = editWord("Hint {}");
+inline char const* const& goalWithId = editWord("Goal \"{}\"");
+inline char const* const& goalWithoutId =
+    editWord("This goal needs an id on the page of goals before its text can be translated.");
+inline char const* const& lostGoal = editWord("No goal has this id any more.");
+inline char const* const& generatedGoal = editWord("(a sentence that the game makes)");
+inline char const* const& notTranslated = editWord("not translated");
+inline char const* const& allTranslated = editWord("Everything is translated.");
+inline char const* const& missingTexts = editWord("Not translated: {}");
 inline char const* const& hintsHeading = editWord("Hints");
 inline char const* const& addHint = editWord("Add a hint");
 inline char const* const& newHint = editWord("A hint");

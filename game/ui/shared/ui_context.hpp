@@ -2,6 +2,7 @@
 #pragma once
 
 #include "game/ui/commands/key_bindings.hpp"
+#include "game/ui/letters/screen_keyboard.hpp"
 #include "game/ui/shared/catalog/kind_finder.hpp"
 #include "game/ui/shared/catalog/level_catalog.hpp"
 #include "game/ui/shared/catalog/level_pictures.hpp"
@@ -43,6 +44,7 @@ struct UiContext {
     KeyBindings keys;
     Recorder recorder;
     SavedSolutions solutions;
+    ScreenKeyboard letters{};
     Loudspeaker* loudspeaker = nullptr; ///< nullptr: no sound
     bool shadows = true;                ///< soft shadows, if the settings and the graphics driver allow them
 

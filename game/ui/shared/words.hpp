@@ -20,7 +20,7 @@ inline constexpr Phrase back = "Back";
 // Running.
 inline char const* const& allBackAsk = said("Put all back?");
 inline char const* const& allBackAgain =
-    said("Once more, and all parts go back into the toolbox. Undo brings them back.");
+    said("Press again to put all parts back into the toolbox. Undo brings them back.");
 inline char const* const& allBackDone = said("All parts are back in the toolbox");
 
 /// Of a speed: "2×", "½×"
@@ -54,6 +54,11 @@ inline constexpr Phrase nextLevel = "Next level";
 inline constexpr Phrase watchAgain = "Watch again";
 inline constexpr Phrase keepPlaying = "Keep playing";
 inline char const* const& lastLevel = said("That was the last level.");
+
+// The keyboard on the screen.
+inline char const* const& blankKey = said("Space");
+inline char const* const& lettersLegend =
+    said("A: press · X: delete · Y: space · L1, R1: cursor · L2: capitals · R2: signs · Start: done · B: cancel");
 
 // Menu and settings.
 inline constexpr Phrase restart = "Start the level again";
@@ -163,7 +168,7 @@ inline char const* const& budgetTip = said(
     "average and "
     "the error is least. The choices become part of what you save.");
 inline char const* const& lessOrMore = said("Less or more of it");
-inline char const* const& budgetOff = said("No time budget: levels stay as they are");
+inline char const* const& budgetOff = said("No time budget: detail levels stay as they are");
 inline char const* const& budgetMissed = said("The last second took longer than that.");
 inline char const* const& budgetHopeless = said("No allowed choice is fast enough for this budget.");
 inline char const* const& nothingToChange = said("Everything is as it should be: nothing to change.");

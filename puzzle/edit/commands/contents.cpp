@@ -1,5 +1,6 @@
 #include "puzzle/edit/commands/contents.hpp"
 
+#include "puzzle/edit/commands/translations.hpp"
 #include "puzzle/edit/tree/tree_access.hpp"
 #include "runtime/level/json/limits.hpp"
 
@@ -78,20 +79,37 @@ Command setMods(Json const& /*level*/, std::vector<std::string> const& mods) {
 }
 
 Command addHint(Json const& /*level*/, std::string const& hint) {
-    return {"Add hint", [hint](Json& tree) { listIn(tree, "hints").push_back(hint); }};
+    return {"Add hint", [hint](Json& tree) {
+                listIn(tree, "hints").push_back(hint);
+                translationsGotHint(tree, hint);
+            }};
 }
 
 Command setHint(Json const& level, std::size_t index, std::string const& hint) {
     mustHaveEntry(level, "hints", index, "hint");
-    return {"Change hint", [=](Json& tree) { entryIn(tree, "hints", index) = hint; }};
+    return {"Change hint", [=](Json& tree) {
+                Json& entry = entryIn(tree, "hints", index);
+                translationsChangedHint(tree, index, entry, hint);
+                entryIn(tree, "hints", index) = hint;
+            }};
 }
 
 Command removeHint(Json const& level, std::size_t index) {
-    return removeEntry(level, "hints", index, "hint");
+    Command command = removeEntry(level, "hints", index, "hint");
+    command.change = [own = std::move(command.change), index](Json& tree) {
+        own(tree);
+        translationsLostHint(tree, index);
+    };
+    return command;
 }
 
 Command moveHint(Json const& level, std::size_t from, std::size_t to) {
-    return moveListEntry(level, "hints", from, to, "hint");
+    Command command = moveListEntry(level, "hints", from, to, "hint");
+    command.change = [own = std::move(command.change), from, to](Json& tree) {
+        own(tree);
+        translationsMovedHint(tree, from, to);
+    };
+    return command;
 }
 
 Command addTool(Json const& level, std::string const& part, int count) {

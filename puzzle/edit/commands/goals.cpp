@@ -1,6 +1,7 @@
 #include "puzzle/edit/commands/goals.hpp"
 
 #include "puzzle/edit/commands/contents.hpp"
+#include "puzzle/edit/commands/translations.hpp"
 #include "puzzle/edit/tree/tree_access.hpp"
 
 #include <fmt/format.h>
@@ -12,7 +13,6 @@ namespace {
 
 using Place = Json::json_pointer;
 
-constexpr char const* goalsKey = "goals";
 constexpr std::array<char const*, 3> listKinds{"all", "any", "sequence"};
 
 Place placeIn(std::string const& text) {
@@ -33,18 +33,18 @@ char const* listKindOf(Json const& condition) {
     return nullptr;
 }
 
-Json& conditionAt(Json& level, std::string const& place) {
+Json& conditionAt(Json& level, std::string const& place, GoalTree tree) {
     Place const at = placeIn(place);
-    auto const goals = level.find(goalsKey);
+    auto const goals = level.find(keyOf(tree));
     if (goals == level.end() || !goals->contains(at) || !(*goals)[at].is_object()) {
         throw CommandError("there is no such goal");
     }
     return (*goals)[at];
 }
 
-void mustHaveGoal(Json const& level, std::string const& place) {
+void mustHaveGoal(Json const& level, std::string const& place, GoalTree tree) {
     Place const at = placeIn(place);
-    auto const goals = level.find(goalsKey);
+    auto const goals = level.find(keyOf(tree));
     if (goals == level.end() || !goals->contains(at) || !(*goals)[at].is_object()) {
         throw CommandError("there is no such goal");
     }
@@ -81,20 +81,20 @@ void addLines(Json const& condition, std::string const& place, std::size_t depth
     }
 }
 
-void removeAt(Json& level, std::string const& place) {
+void removeAt(Json& level, std::string const& place, GoalTree tree) {
     if (place.empty()) {
-        level.erase(goalsKey);
+        level.erase(keyOf(tree));
         return;
     }
-    Json& goals = level[goalsKey];
+    Json& goals = level[keyOf(tree)];
     Place const at = placeIn(place);
     Place const parent = at.parent_pointer();
     if (at.back() == "not") {
-        removeAt(level, parent.to_string());
+        removeAt(level, parent.to_string(), tree);
     } else if (goals[parent].is_array()) {
         goals[parent].erase(static_cast<std::size_t>(std::stoul(at.back())));
         if (goals[parent].empty()) {
-            removeAt(level, parent.parent_pointer().to_string());
+            removeAt(level, parent.parent_pointer().to_string(), tree);
         }
     } else {
         throw CommandError("what is counted cannot be removed; change it, or remove the count");
@@ -103,9 +103,13 @@ void removeAt(Json& level, std::string const& place) {
 
 } // namespace
 
-std::vector<GoalLine> goalLines(Json const& level) {
+char const* keyOf(GoalTree tree) {
+    return tree == GoalTree::goals ? "goals" : "task";
+}
+
+std::vector<GoalLine> goalLines(Json const& level, GoalTree tree) {
     std::vector<GoalLine> lines;
-    auto const goals = level.is_object() ? level.find(goalsKey) : level.end();
+    auto const goals = level.is_object() ? level.find(keyOf(tree)) : level.end();
     if (goals != level.end()) {
         addLines(*goals, "", 0, lines);
     }
@@ -148,18 +152,22 @@ Json newCondition(std::string const& kind, std::vector<std::string> const& objec
     throw CommandError(fmt::format("there is no kind of goal '{}'", kind));
 }
 
-Command addGoal(Json const& level, std::string const& place, Json const& condition) {
-    if (level.contains(goalsKey)) {
-        mustHaveGoal(level, place);
+Command addGoal(Json const& level, std::string const& place, Json const& condition, GoalTree which) {
+    char const* const key = keyOf(which);
+    if (which == GoalTree::task && level.value("demonstration", Json()) != Json(true)) {
+        throw CommandError("only a demonstration has a task");
+    }
+    if (level.contains(key)) {
+        mustHaveGoal(level, place, which);
     } else if (!place.empty()) {
         throw CommandError("there is no such goal");
     }
-    return {"Add goal", [place, condition](Json& tree) {
-                if (!tree.contains(goalsKey)) {
-                    setLevelMember(tree, goalsKey, condition);
+    return {"Add goal", [place, condition, which, key](Json& tree) {
+                if (!tree.contains(key)) {
+                    setLevelMember(tree, key, condition);
                     return;
                 }
-                Json& there = conditionAt(tree, place);
+                Json& there = conditionAt(tree, place, which);
                 if (char const* const kind = listKindOf(there)) {
                     there[kind].push_back(condition);
                 } else {
@@ -168,24 +176,24 @@ Command addGoal(Json const& level, std::string const& place, Json const& conditi
             }};
 }
 
-Command wrapGoal(Json const& level, std::string const& place, std::string const& kind) {
-    mustHaveGoal(level, place);
+Command wrapGoal(Json const& level, std::string const& place, std::string const& kind, GoalTree which) {
+    mustHaveGoal(level, place, which);
     bool const list = kind == "all" || kind == "any" || kind == "sequence";
     if (!list && kind != "not") {
         throw CommandError(fmt::format("'{}' takes no conditions", kind));
     }
     return {fmt::format("Put goal into '{}'", kind), [=](Json& tree) {
-                Json& there = conditionAt(tree, place);
+                Json& there = conditionAt(tree, place, which);
                 Json inner = there;
                 there = Json::object();
                 there[kind] = list ? Json::array({std::move(inner)}) : std::move(inner);
             }};
 }
 
-Command unwrapGoal(Json const& level, std::string const& place) {
-    mustHaveGoal(level, place);
-    return {"Take goal out", [place](Json& tree) {
-                Json& there = conditionAt(tree, place);
+Command unwrapGoal(Json const& level, std::string const& place, GoalTree which) {
+    mustHaveGoal(level, place, which);
+    return {"Take goal out", [place, which](Json& tree) {
+                Json& there = conditionAt(tree, place, which);
                 Json inner;
                 if (char const* const kind = listKindOf(there)) {
                     if (there[kind].size() != 1) {
@@ -201,32 +209,36 @@ Command unwrapGoal(Json const& level, std::string const& place) {
             }};
 }
 
-Command removeGoal(Json const& level, std::string const& place) {
-    mustHaveGoal(level, place);
-    return {"Remove goal", [place](Json& tree) {
-                mustHaveGoal(tree, place);
-                removeAt(tree, place);
+Command removeGoal(Json const& level, std::string const& place, GoalTree which) {
+    mustHaveGoal(level, place, which);
+    return {"Remove goal", [place, which](Json& tree) {
+                mustHaveGoal(tree, place, which);
+                removeAt(tree, place, which);
             }};
 }
 
-Command changeGoal(Json const& level, std::string const& place, Json const& condition) {
-    mustHaveGoal(level, place);
+Command changeGoal(Json const& level, std::string const& place, Json const& condition, GoalTree which) {
+    mustHaveGoal(level, place, which);
     if (!condition.is_object()) {
         throw CommandError("a goal is an object");
     }
-    return {"Change goal", [=](Json& tree) { conditionAt(tree, place) = condition; }};
+    return {"Change goal", [=](Json& tree) { conditionAt(tree, place, which) = condition; }};
 }
 
-Command setGoalOption(Json const& level, std::string const& place, std::string const& key,
-                      Json const& value) {
-    mustHaveGoal(level, place);
+Command setGoalOption(Json const& level, std::string const& place, std::string const& key, Json const& value,
+                      GoalTree which) {
+    mustHaveGoal(level, place, which);
     if (key != "for" && key != "id" && key != "text") {
         throw CommandError(fmt::format("a goal has no '{}'", key));
     }
     return {value.is_null() ? fmt::format("Remove '{}' of goal", key)
                             : fmt::format("Change '{}' of goal", key),
             [=](Json& tree) {
-                Json& there = conditionAt(tree, place);
+                Json& there = conditionAt(tree, place, which);
+                std::string const before = textOf(there, "id");
+                if (key == "id" && !before.empty() && value.is_string() && !value.empty()) {
+                    translationsRenamedGoal(tree, before, value.get<std::string>());
+                }
                 if (value.is_null()) {
                     there.erase(key);
                 } else {
@@ -235,10 +247,10 @@ Command setGoalOption(Json const& level, std::string const& place, std::string c
             }};
 }
 
-Command setGoalArea(Json const& level, std::string const& place, Area const& area) {
-    mustHaveGoal(level, place);
-    return {"Change area of goal", [place, made = areaJson(area)](Json& tree) {
-                Json& there = conditionAt(tree, place);
+Command setGoalArea(Json const& level, std::string const& place, Area const& area, GoalTree which) {
+    mustHaveGoal(level, place, which);
+    return {"Change area of goal", [place, which, made = areaJson(area)](Json& tree) {
+                Json& there = conditionAt(tree, place, which);
                 for (auto const& item : there.items()) {
                     if (item.value().is_object() && item.value().contains("area")) {
                         item.value()["area"] = made;
@@ -249,11 +261,11 @@ Command setGoalArea(Json const& level, std::string const& place, Area const& are
             }};
 }
 
-Command moveGoal(Json const& level, std::string const& place, std::size_t to) {
-    mustHaveGoal(level, place);
-    return {"Move goal", [place, to](Json& tree) {
+Command moveGoal(Json const& level, std::string const& place, std::size_t to, GoalTree which) {
+    mustHaveGoal(level, place, which);
+    return {"Move goal", [place, which, to](Json& tree) {
                 Place const at = placeIn(place);
-                Json* const around = place.empty() ? nullptr : &tree[goalsKey][at.parent_pointer()];
+                Json* const around = place.empty() ? nullptr : &tree[keyOf(which)][at.parent_pointer()];
                 if (around == nullptr || !around->is_array() || to >= around->size()) {
                     throw CommandError("the goal cannot be moved there");
                 }

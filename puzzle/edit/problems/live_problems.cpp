@@ -65,9 +65,9 @@ Problem locateProblem(Json const& level, Diagnostic diagnostic) {
     problem.diagnostic = std::move(diagnostic);
     std::string_view rest = problem.diagnostic.path;
     std::string_view const key = takeToken(rest);
-    if (key == "goals") {
-        problem.about = Problem::About::goal;
-        auto const goals = level.is_object() ? level.find("goals") : level.end();
+    if (key == "goals" || key == "task") {
+        problem.about = key == "goals" ? Problem::About::goal : Problem::About::task;
+        auto const goals = level.is_object() ? level.find(std::string(key)) : level.end();
         problem.name = goals == level.end() ? "" : conditionAround(*goals, std::string(rest));
         problem.inside = rest.substr(problem.name.size());
         return problem;

@@ -23,13 +23,14 @@ struct Problem {
         placing,
         tool,
         goal,
+        task, ///< a condition of the demonstration's task
         hint,
         solution,
         ownPart, ///< a file of the author's own parts, whether the level uses it or not
     };
     Diagnostic diagnostic; ///< with its place in LevelDocument::text()
     About about = About::level;
-    /// In the list of the section; for goals, not used.
+    /// In the list of the section; for goals and the task, not used.
     std::optional<std::size_t> index;
     /// Of the object, the joint or the solution, if it has one; of a goal, its place as in
     /// commands/goals.hpp.

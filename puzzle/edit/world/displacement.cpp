@@ -20,7 +20,7 @@ using Keys = std::span<std::string_view const>;
 constexpr std::array<std::string_view, 2> placeKeys{"at", "angle_deg"};
 constexpr std::array<std::string_view, 2> sizeKeys{"shape", "magnetic_poles"};
 constexpr std::array<std::string_view, 5> jointKeys{"at", "at_b", "ground_a", "ground_b", "axis"};
-constexpr std::array<std::string_view, 4> handledKeys{"objects", "joints", "placing", "goals"};
+constexpr std::array<std::string_view, 5> handledKeys{"objects", "joints", "placing", "goals", "task"};
 
 bool isOneOf(std::string_view key, Keys keys) {
     return std::find(keys.begin(), keys.end(), key) != keys.end();

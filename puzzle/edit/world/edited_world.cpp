@@ -41,6 +41,7 @@ void EditedWorld::build(GameData const& data, LevelFile const& level, Json const
     // What the world does not consist of: faults in it are none of the world.
     reduced.solutions.clear();
     reduced.goals = nullptr;
+    reduced.task = nullptr;
     leftOut_ = 0;
     for (int attempt = 0;; ++attempt) {
         try {

@@ -3,6 +3,7 @@
 #include "game/ui/app/title_screen.hpp"
 #include "game/ui/edit/edit_screen.hpp"
 #include "game/ui/edit/study/level_studies.hpp"
+#include "render/window/gamepad.hpp"
 #include "runtime/placement.hpp"
 
 #include <array>
@@ -193,6 +194,15 @@ void walkEditor(Player& player, Look const& look) {
     look("edit-goals");
     press(SDLK_F6);
     look("edit-level");
+    player.key(SDLK_F9);
+    player.frames(2);
+    player.key(SDLK_DOWN);
+    player.key(render::padKey(SDL_CONTROLLER_BUTTON_A)); // types the title by a gamepad
+    player.frames(settled);
+    look("edit-letters");
+    player.key(render::padKey(SDL_CONTROLLER_BUTTON_B));
+    player.frames(2);
+    player.key(SDLK_ESCAPE);
     press(SDLK_F7);
     look("edit-solutions");
     walkStudies(player, look);

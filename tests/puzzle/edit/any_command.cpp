@@ -11,6 +11,7 @@
 #include "puzzle/edit/commands/properties.hpp"
 #include "puzzle/edit/commands/shapes.hpp"
 #include "puzzle/edit/commands/solutions.hpp"
+#include "puzzle/edit/commands/translations.hpp"
 
 namespace trembler::edit {
 
@@ -44,7 +45,7 @@ Command anyCommand(LevelDocument const& document, std::function<int(int)> const&
     auto const kind = [&](std::vector<std::string> const& kinds) {
         return kinds[static_cast<std::size_t>(next(static_cast<int>(kinds.size())))];
     };
-    switch (next(49)) {
+    switch (next(57)) {
     case 0:
         return addObject(level, {"steel ball", point(), number()});
     case 1: {
@@ -147,6 +148,29 @@ Command anyCommand(LevelDocument const& document, std::function<int(int)> const&
         return next(2) == 0 ? removeStep(level, index()) : moveStep(level, index(), index());
     case 47:
         return setWires(level, next(4));
+    case 48:
+        return setDemonstration(level, next(4) != 0);
+    case 49:
+        return addGoal(level, "", newCondition(kind({"touching", "inside", "moved"}), {one(), one()}, area()),
+                       GoalTree::task);
+    case 50:
+        return next(3) == 0 ? removeGoal(level, "", GoalTree::task)
+                            : wrapGoal(level, "", kind({"all", "any", "not"}), GoalTree::task);
+    case 51:
+        return setGoalOption(level, "", next(2) == 0 ? "id" : "text", kind({"this", "that"}),
+                             next(2) == 0 ? GoalTree::goals : GoalTree::task);
+    case 52:
+        return next(4) == 0 ? removeLanguage(level, kind({"de", "fr"}))
+                            : addLanguage(level, kind({"de", "fr"}));
+    case 53:
+        return next(2) == 0 ? translateTitle(level, "de", kind({"", "Titel"}))
+                            : translateText(level, "de", kind({"", "Worte"}));
+    case 54:
+        return translateHint(level, "de", index(), kind({"", "Hinweis", "Tipp"}));
+    case 55:
+        return next(3) == 0   ? translateGoal(level, "de", kind({"this", "that"}), kind({"", "Ziel"}))
+               : next(2) == 0 ? setHint(level, index(), kind({"hint", "another"}))
+                              : moveHint(level, index(), index());
     default:
         return pasteText(data, level, copiedText(level, some()), point());
     }

@@ -57,7 +57,7 @@ edit::Command moveOtherThing(EditParts const& parts, Json const& level, Vec2 by)
         if (area.selected) {
             return area.kind == EntryKind::placing
                        ? edit::setPlacingArea(level, indexOfPath(path), movedArea(area.area, by))
-                       : edit::setGoalArea(level, path, movedArea(area.area, by));
+                       : edit::setGoalArea(level, path, movedArea(area.area, by), parts.goalTree);
         }
     }
     throw edit::CommandError("nothing is selected that can be moved");

@@ -152,7 +152,7 @@ void deleteSelected(EditParts& parts) {
         done = parts.run([&](Json const& level) { return edit::removePlacingArea(level, indexAtEnd(path)); });
         break;
     case EntryKind::goalArea:
-        done = parts.run([&](Json const& level) { return edit::removeGoal(level, path); });
+        done = parts.run([&](Json const& level) { return edit::removeGoal(level, path, parts.goalTree); });
         break;
     case EntryKind::none:
         break;

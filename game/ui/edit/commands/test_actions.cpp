@@ -2,6 +2,7 @@
 #include "game/ui/edit/edit_words.hpp"
 #include "game/ui/shared/shown_faults.hpp"
 #include "game/ui/shared/texts.hpp"
+#include "puzzle/campaign/as_played.hpp"
 #include "puzzle/edit/commands/goals.hpp"
 #include "puzzle/edit/commands/solutions.hpp"
 
@@ -14,13 +15,16 @@ using render::ToastKind;
 std::unique_ptr<PlayScreen> playScreenFor(EditParts& parts) {
     parts.autosave->flush(parts.document);
     try {
-        LevelFile const level = parts.document.level();
+        // A demonstration is played with its task, as in the game.
+        LevelFile const level = asPlayed(parts.document.level(), "");
+        bool const task = parts.document.level().demonstration && !level.demonstration;
+        parts.playedTree = task ? edit::GoalTree::task : edit::GoalTree::goals;
         // Not the document's own path: a test play marks no level as solved.
         std::filesystem::path const name =
             "test of " + (parts.document.path().empty() ? std::string("a new level.json")
                                                         : parts.document.path().filename().string());
         std::vector<std::string> places;
-        for (edit::GoalLine const& line : edit::goalLines(parts.tree())) {
+        for (edit::GoalLine const& line : edit::goalLines(parts.tree(), parts.playedTree)) {
             places.push_back(line.place);
         }
         parts.goals.begin(level, std::move(places));

@@ -127,7 +127,7 @@ void addArea(EditParts& parts, Tool tool, Area const& area) {
     }
     objects.resize(1);
     bool const done = parts.run([&](Json const& level) {
-        return edit::addGoal(level, "", edit::newCondition("inside", objects, area));
+        return edit::addGoal(level, "", edit::newCondition("inside", objects, area), parts.goalTree);
     });
     if (done) {
         parts.tab = Tab::goals;

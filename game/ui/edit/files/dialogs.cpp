@@ -7,6 +7,7 @@
 #include "render/draw/palette.hpp"
 #include "render/panels/buttons.hpp"
 #include "render/panels/theme.hpp"
+#include "render/window/gamepad.hpp"
 
 #include <algorithm>
 
@@ -140,6 +141,7 @@ void Dialogs::drawPartName(EditParts& parts) {
     }
     bool const entered = textField("##part", name_, 80, true);
     parts.context.layout.item("part name field");
+    fresh_ = parts.context.focus.item();
     bool const make =
         choice(parts.context, words::makePart, "make part", Icon::Tick, ButtonLook::Primary, !name_.empty());
     bool const here = choice(parts.context, words::makePartHere, "make part here", Icon::Plus,
@@ -174,7 +176,8 @@ void Dialogs::drawConflict(EditParts& parts) {
 }
 
 void Dialogs::draw(EditParts& parts) {
-    if (parts.context.input.keyPressed(SDLK_ESCAPE)) {
+    InputEvents const& input = parts.context.input;
+    if (input.keyPressed(SDLK_ESCAPE) || input.keyPressed(padKey(SDL_CONTROLLER_BUTTON_B))) {
         close();
         parts.giveUpLeaving();
         return;

@@ -5,9 +5,11 @@
 #include "render/draw/palette.hpp"
 #include "render/panels/buttons.hpp"
 #include "render/panels/theme.hpp"
+#include "render/window/gamepad.hpp"
 
 #include <algorithm>
 #include <system_error>
+#include <utility>
 
 namespace trembler::ui {
 namespace {
@@ -143,7 +145,7 @@ void FileBrowser::drawEntries(UiContext& context, std::optional<fs::path>& chose
 }
 
 std::optional<fs::path> FileBrowser::draw(UiContext& context) {
-    if (context.input.keyPressed(SDLK_ESCAPE)) {
+    if (context.input.keyPressed(SDLK_ESCAPE) || context.input.keyPressed(padKey(SDL_CONTROLLER_BUTTON_B))) {
         close();
         return {};
     }
@@ -162,13 +164,14 @@ std::optional<fs::path> FileBrowser::draw(UiContext& context) {
     ImGui::TextUnformatted(words::fileName);
     ImGui::SameLine();
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
-    if (fresh_ && saving) {
+    if (std::exchange(names_, false) || (fresh_ && saving)) {
         ImGui::SetKeyboardFocusHere();
     }
     fresh_ = false;
     std::string const before = name_;
     bool const entered = textField("##name", name_, 255, true);
     context.layout.item("file name");
+    names_ = context.focus.item();
     if (before != name_) {
         replace_ = false;
         trouble_.clear();

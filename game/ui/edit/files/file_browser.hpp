@@ -43,7 +43,8 @@ private:
     std::string name_;     // in the field
     std::string trouble_;  // shown below the list
     bool replace_ = false; // the designer was told that the file exists
-    bool fresh_ = false;   // the field gets the keyboard
+    bool fresh_ = false;   // opened in this picture
+    bool names_ = false;   // the field gets the keyboard in the next picture
 };
 
 /// A text field of ImGui for a std::string of up to `longest` bytes; true when the text was changed, or with

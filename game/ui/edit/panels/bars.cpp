@@ -7,6 +7,7 @@
 #include "game/ui/shared/texts.hpp"
 #include "physics/dynamics/properties/joint.hpp"
 #include "render/draw/palette.hpp"
+#include "render/panels/check_box.hpp"
 #include "render/panels/theme.hpp"
 
 #include <algorithm>
@@ -160,7 +161,7 @@ void drawStatus(EditParts& parts) {
     Layout& layout = parts.context.layout;
     layout.beginCard("status", "", {.anchor = Anchor::BottomLeft, .offset = {editGap, editGap}});
     Snapping& snapping = parts.snapping;
-    ImGui::Checkbox("##snap", &snapping.on);
+    render::checkBox("##snap", &snapping.on);
     layout.item("snap");
     if (ImGui::IsItemHovered()) {
         ImGui::SetTooltip("%s", withKey(words::snapTip, "edit-snap", parts.context.keys).c_str());

@@ -50,6 +50,7 @@ std::optional<std::size_t> CommandPalette::draw(UiContext& context, CommandSet c
         close();
         return {};
     }
+    context.letters.waitToBeAsked();
     std::vector<std::size_t> shown;
     for (std::size_t i = 0; i < commands.size(); ++i) {
         CommandInfo const& info = commands.info(i);

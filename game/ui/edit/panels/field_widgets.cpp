@@ -5,6 +5,7 @@
 #include "game/ui/shared/texts.hpp"
 #include "game/ui/shared/words.hpp"
 #include "render/draw/palette.hpp"
+#include "render/panels/check_box.hpp"
 #include "render/panels/theme.hpp"
 
 #include <algorithm>
@@ -154,7 +155,7 @@ std::optional<Json> fieldWidget(EditParts& parts, edit::InspectedField const& fi
     switch (field.type) {
     case FieldType::boolean: {
         bool on = field.value.is_boolean() && field.value.get<bool>();
-        if (ImGui::Checkbox(("##" + item).c_str(), &on)) {
+        if (render::checkBox(("##" + item).c_str(), &on)) {
             result = on;
         }
         parts.context.layout.item(item);

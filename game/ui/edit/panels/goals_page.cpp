@@ -1,4 +1,5 @@
 #include "game/ui/edit/edit_words.hpp"
+#include "game/ui/edit/goals/goal_fields.hpp"
 #include "game/ui/edit/panels/field_widgets.hpp"
 #include "game/ui/edit/panels/goal_words.hpp"
 #include "game/ui/edit/panels/side_panel.hpp"
@@ -54,7 +55,7 @@ std::string summaryOf(edit::GoalLine const& line) {
 /// A tick or a cross at the end of the last line, as the condition stands in the test play.
 void drawGoalState(EditParts const& parts, std::string const& place) {
     auto const state = parts.goals.states().find(place);
-    if (state == parts.goals.states().end()) {
+    if (parts.goalTree != parts.playedTree || state == parts.goals.states().end()) {
         return;
     }
     ImVec2 const at{ImGui::GetItemRectMax().x - scaled(10),
@@ -66,79 +67,29 @@ void drawGoalState(EditParts const& parts, std::string const& place) {
                                         : palette::warning));
 }
 
-/// Widgets for a value inside a condition; true when it was changed.
-bool editValue(EditParts& parts, std::string const& key, Json& value, std::string const& item) {
-    std::vector<std::string> names = edit::objectNames(parts.tree());
-    if (key == "area") {
-        for (SceneArea const& area : sceneAreas(parts)) {
-            if (area.kind == EntryKind::goalArea && area.path == parts.goalPlace) {
-                if (auto const changed = areaFields(parts, area.area, item)) {
-                    value = edit::areaJson(*changed);
-                    return true;
-                }
-            }
-        }
-        return false;
-    }
-    if (value.is_string()) {
-        std::string text = value.get<std::string>();
-        fieldName(shownGoalWord(key), "");
-        static std::array<char const*, 2> const freeTexts{"called", "text"};
-        bool changed = false;
-        if (key == "towards") {
-            changed = choiceField(parts, item, text, {"up", "down", "left", "right"}, shownGoalWord);
-        } else if (std::find(freeTexts.begin(), freeTexts.end(), key) != freeTexts.end()) {
-            changed = committedText(parts, item, text);
-        } else {
-            names.push_back("it");
-            changed = choiceField(parts, item, text, key == "part" ? parts.data->parts.names() : names);
-        }
-        value = text;
-        return changed;
-    }
-    if (value.is_number()) {
-        double number = value.get<double>();
-        bool const whole = value.is_number_integer() && (key == "at_least" || key == "at_most");
-        fieldName(shownGoalWord(key), "");
-        bool const changed = numberField(parts, item, number, 0, 1e6, "", whole);
-        value = whole ? Json(static_cast<std::int64_t>(number)) : Json(number);
-        return changed;
-    }
-    bool changed = false;
-    if (value.is_array() || value.is_object()) {
-        std::size_t i = 0;
-        for (auto at = value.begin(); at != value.end(); ++at, ++i) {
-            std::string const inner = value.is_object() ? at.key() : key;
-            if (inner == "that") {
-                continue; // a line of its own
-            }
-            ImGui::PushID(static_cast<int>(i));
-            changed = editValue(parts, inner, *at, item + "/" + std::to_string(i)) || changed;
-            ImGui::PopID();
-        }
-    }
-    return changed;
-}
-
-Json const* conditionAt(Json const& tree, std::string const& place) {
+Json const* conditionAt(EditParts const& parts, std::string const& place) {
     try {
-        return &tree.at(Json::json_pointer("/goals" + place));
+        std::string const root = std::string("/") + edit::keyOf(parts.goalTree);
+        return &parts.tree().at(Json::json_pointer(root + place));
     } catch (nlohmann::json::exception const&) {
         return nullptr;
     }
 }
 
 void drawChosen(EditParts& parts, edit::GoalLine const& line) {
-    Json const* const found = conditionAt(parts.tree(), line.place);
+    Json const* const found = conditionAt(parts, line.place);
     if (found == nullptr) {
         return;
     }
     Json condition = *found;
     pageHeading(shownGoalWord(line.kind).c_str());
     if (!line.takesMore && line.kind != "not" && condition.contains(line.kind)) {
-        if (editValue(parts, "object", condition[line.kind], "goal")) {
+        if (goalFields(parts, line.kind, condition[line.kind])) {
             runWidget(
-                parts, [&](Json const& level) { return edit::changeGoal(level, line.place, condition); },
+                parts,
+                [&](Json const& level) {
+                    return edit::changeGoal(level, line.place, condition, parts.goalTree);
+                },
                 true);
         }
     }
@@ -149,7 +100,8 @@ void drawChosen(EditParts& parts, edit::GoalLine const& line) {
         runWidget(
             parts,
             [&](Json const& level) {
-                return edit::setGoalOption(level, line.place, "for", seconds > 0 ? Json(seconds) : Json());
+                return edit::setGoalOption(level, line.place, "for", seconds > 0 ? Json(seconds) : Json(),
+                                           parts.goalTree);
             },
             true);
     }
@@ -161,7 +113,8 @@ void drawChosen(EditParts& parts, edit::GoalLine const& line) {
             runWidget(
                 parts,
                 [&, option = std::string(key)](Json const& level) {
-                    return edit::setGoalOption(level, line.place, option, text.empty() ? Json() : Json(text));
+                    return edit::setGoalOption(level, line.place, option, text.empty() ? Json() : Json(text),
+                                               parts.goalTree);
                 },
                 false);
         }
@@ -172,22 +125,26 @@ void drawChosen(EditParts& parts, edit::GoalLine const& line) {
             besideIfRoom(label.c_str());
         }
         if (smallButton(parts, label.c_str(), "wrap " + kind, words::wrapTip)) {
-            parts.run([&](Json const& level) { return edit::wrapGoal(level, line.place, kind); });
+            parts.run(
+                [&](Json const& level) { return edit::wrapGoal(level, line.place, kind, parts.goalTree); });
         }
     }
     if (smallButton(parts, words::unwrap, "unwrap", words::unwrapTip)) {
-        parts.run([&](Json const& level) { return edit::unwrapGoal(level, line.place); });
+        parts.run([&](Json const& level) { return edit::unwrapGoal(level, line.place, parts.goalTree); });
     }
     std::size_t const index = indexOfPath(line.place);
     if (!line.place.empty() && index > 0) {
         besideIfRoom(words::upIt);
         if (smallButton(parts, words::upIt, "goal up")) {
-            parts.run([&](Json const& level) { return edit::moveGoal(level, line.place, index - 1); });
+            parts.run([&](Json const& level) {
+                return edit::moveGoal(level, line.place, index - 1, parts.goalTree);
+            });
         }
     }
     besideIfRoom(words::removeIt);
     if (smallButton(parts, words::removeIt, "remove goal")) {
-        if (parts.run([&](Json const& level) { return edit::removeGoal(level, line.place); })) {
+        if (parts.run(
+                [&](Json const& level) { return edit::removeGoal(level, line.place, parts.goalTree); })) {
             parts.goalChosen = false;
         }
     }
@@ -219,14 +176,45 @@ void drawAdd(EditParts& parts, std::vector<edit::GoalLine> const& lines) {
                 objects.push_back(name);
             }
         }
-        return edit::addGoal(level, place, edit::newCondition(chosen, objects, area));
+        return edit::addGoal(level, place, edit::newCondition(chosen, objects, area), parts.goalTree);
     });
+}
+
+/// Only a demonstration has two trees; a task that it lost with the mark can still be removed.
+void drawTreeChoice(EditParts& parts) {
+    bool const two = parts.level.demonstration || parts.tree().contains("task");
+    if (!two) {
+        parts.goalTree = edit::GoalTree::goals;
+        return;
+    }
+    for (auto const& [tree, label] : {std::pair{edit::GoalTree::goals, words::ownGoals},
+                                      std::pair{edit::GoalTree::task, words::taskGoals}}) {
+        if (tree == edit::GoalTree::task) {
+            besideIfRoom(label);
+        }
+        bool const on = parts.goalTree == tree;
+        if (on) {
+            ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
+        }
+        bool const chosen = smallButton(parts, label, std::string("tree ") + edit::keyOf(tree),
+                                        tree == edit::GoalTree::task ? words::taskTip : words::ownGoalsTip);
+        if (on) {
+            ImGui::PopStyleColor();
+        }
+        if (chosen && !on) {
+            parts.goalTree = tree;
+            parts.goalChosen = false;
+            if (parts.selection.kind() == EntryKind::goalArea) { // of the other tree
+                parts.selection.clear();
+            }
+        }
+    }
 }
 
 } // namespace
 
 void drawLiveGoals(EditParts& parts, float top) {
-    auto const lines = edit::goalLines(parts.tree());
+    auto const lines = edit::goalLines(parts.tree(), parts.playedTree);
     if (lines.empty() || parts.goals.states().empty()) {
         return;
     }
@@ -254,9 +242,10 @@ void drawLiveGoals(EditParts& parts, float top) {
 }
 
 void drawGoalsPage(EditParts& parts) {
-    auto const lines = edit::goalLines(parts.tree());
+    drawTreeChoice(parts);
+    auto const lines = edit::goalLines(parts.tree(), parts.goalTree);
     if (lines.empty()) {
-        caption(words::noGoals);
+        caption(parts.goalTree == edit::GoalTree::task ? words::noTask : words::noGoals);
     }
     edit::GoalLine const* chosen = nullptr;
     for (edit::GoalLine const& line : lines) {

@@ -6,6 +6,7 @@
 #include "puzzle/edit/commands/contents.hpp"
 #include "puzzle/edit/commands/properties.hpp"
 #include "render/panels/cards.hpp"
+#include "render/panels/check_box.hpp"
 #include "render/panels/theme.hpp"
 #include "runtime/level/model/detail_levels.hpp"
 
@@ -39,7 +40,7 @@ void drawTexts(EditParts& parts) {
         parts.run([&](Json const& level) { return edit::setText(level, text); });
     }
     bool demonstration = parts.level.demonstration;
-    if (ImGui::Checkbox(words::demonstrationField, &demonstration)) {
+    if (render::checkBox(words::demonstrationField, &demonstration)) {
         parts.run([&](Json const& level) { return edit::setDemonstration(level, demonstration); });
     }
     parts.context.layout.item("demonstration");
@@ -177,7 +178,7 @@ void drawMods(EditParts& parts) {
         std::string const name = folder.filename().string();
         auto const at = std::find(mods.begin(), mods.end(), name);
         bool on = at != mods.end();
-        if (ImGui::Checkbox(name.c_str(), &on)) {
+        if (render::checkBox(name.c_str(), &on)) {
             if (on) {
                 mods.push_back(name);
             } else {
@@ -203,6 +204,7 @@ void drawLevelPage(EditParts& parts) {
     drawTeachingSteps(parts);
     drawWorld(parts);
     drawMods(parts);
+    drawTranslations(parts);
 }
 
 } // namespace trembler::ui

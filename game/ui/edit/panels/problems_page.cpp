@@ -32,6 +32,8 @@ void showCulprit(EditParts& parts, edit::Problem const& problem) {
         parts.selection.choose(EntryKind::placing, "/placing/" + index);
         break;
     case About::goal:
+    case About::task:
+        parts.goalTree = problem.about == About::task ? edit::GoalTree::task : edit::GoalTree::goals;
         parts.goalPlace = problem.name;
         parts.goalChosen = true;
         parts.tab = Tab::goals;

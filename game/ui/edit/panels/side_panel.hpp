@@ -25,6 +25,8 @@ void drawLiveGoals(EditParts& parts, float top);
 void drawLevelPage(EditParts& parts);
 /// The section of the level's page about what a beginner is shown.
 void drawTeachingSteps(EditParts& parts);
+/// That about what the level says in other languages.
+void drawTranslations(EditParts& parts);
 void drawSolutionsPage(EditParts& parts);
 /// See study/: what was found out about the level.
 void drawReportPage(EditParts& parts);

@@ -4,6 +4,7 @@
 #include "game/ui/edit/panels/side_panel.hpp"
 #include "puzzle/edit/commands/solutions.hpp"
 #include "render/panels/cards.hpp"
+#include "render/panels/check_box.hpp"
 #include "render/panels/theme.hpp"
 
 namespace trembler::ui {
@@ -20,7 +21,7 @@ void drawSolution(EditParts& parts, Solution const& solution, std::size_t index)
         parts.run([&](Json const& level) { return edit::renameSolution(level, solution.name, name); });
     }
     bool solves = solution.solves;
-    if (ImGui::Checkbox((std::string(words::solvesLevel) + "##" + item).c_str(), &solves)) {
+    if (render::checkBox((std::string(words::solvesLevel) + "##" + item).c_str(), &solves)) {
         parts.run([&](Json const& level) { return edit::expectSolved(level, solution.name, solves); });
     }
     parts.context.layout.item(item + " solves");

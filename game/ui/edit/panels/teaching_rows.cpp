@@ -5,6 +5,7 @@
 #include "puzzle/edit/commands/contents.hpp"
 #include "puzzle/edit/commands/editor_state.hpp"
 #include "puzzle/edit/commands/objects.hpp"
+#include "render/panels/check_box.hpp"
 #include "render/panels/theme.hpp"
 
 #include <algorithm>
@@ -109,7 +110,7 @@ StepChange editStep(EditParts& parts, std::string const& kind, std::string const
             numbers(true);
         }
         bool flipped = step.contains("flipped") && step["flipped"] == true;
-        if (ImGui::Checkbox((std::string(words::mirroredField) + "##" + item).c_str(), &flipped)) {
+        if (render::checkBox((std::string(words::mirroredField) + "##" + item).c_str(), &flipped)) {
             step["flipped"] = flipped;
             change.touched = true;
         }

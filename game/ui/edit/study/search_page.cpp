@@ -6,6 +6,7 @@
 #include "game/ui/edit/study/study_words.hpp"
 #include "game/ui/shared/texts.hpp"
 #include "render/panels/cards.hpp"
+#include "render/panels/check_box.hpp"
 #include "render/panels/theme.hpp"
 
 #include <algorithm>
@@ -40,7 +41,7 @@ void drawWishes(EditParts& parts) {
     };
     whole(words::runsField, "search runs", wishes.runs, 1, mostRuns);
     whole(words::seedField, "search seed", wishes.seed, 0, mostSeed);
-    ImGui::Checkbox((std::string(words::handsField) + "##hands").c_str(), &wishes.hands);
+    render::checkBox((std::string(words::handsField) + "##hands").c_str(), &wishes.hands);
     parts.context.layout.item("search hands");
 }
 

@@ -96,7 +96,7 @@ void EditMouse::drag(EditParts& parts) {
         return change(parts, [&](Json const& level) {
             return area_.kind == EntryKind::placing
                        ? edit::setPlacingArea(level, indexOfPath(area_.path), area)
-                       : edit::setGoalArea(level, area_.path, area);
+                       : edit::setGoalArea(level, area_.path, area, parts.goalTree);
         });
     }
     case Doing::jointMoving:

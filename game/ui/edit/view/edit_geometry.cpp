@@ -163,7 +163,7 @@ std::vector<SceneArea> sceneAreas(EditParts const& parts) {
             }
         }
     }
-    for (edit::GoalLine const& line : edit::goalLines(parts.tree())) {
+    for (edit::GoalLine const& line : edit::goalLines(parts.tree(), parts.goalTree)) {
         if (!line.condition.is_object() || !line.condition.contains(line.kind)) {
             continue;
         }

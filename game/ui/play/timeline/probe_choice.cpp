@@ -4,6 +4,7 @@
 #include "game/ui/play/timeline/probe_words.hpp"
 #include "game/ui/shared/texts.hpp"
 #include "render/panels/buttons.hpp"
+#include "render/panels/check_box.hpp"
 #include "render/panels/theme.hpp"
 
 #include <algorithm>
@@ -102,7 +103,7 @@ std::string ProbePanel::drawChoice(Layout& layout, World const& world, std::stri
         ImGui::BeginChild("quantities", {0, scaled(choiceHeight - 110)});
         for (Quantity const& quantity : quantitiesOf(world, object)) {
             bool on = probes_.has(quantity.what);
-            if (ImGui::Checkbox((quantity.name + "##" + quantity.what).c_str(), &on)) {
+            if (render::checkBox((quantity.name + "##" + quantity.what).c_str(), &on)) {
                 toggle(quantity.what);
             }
             layout.item("plot " + quantity.what);
