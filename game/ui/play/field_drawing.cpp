@@ -1,6 +1,7 @@
 #include "game/ui/play/field_drawing.hpp"
 
 #include "game/ui/play/lesson/lesson_drawing.hpp"
+#include "game/ui/play/why/why_drawing.hpp"
 #include "game/ui/shared/scene_words.hpp"
 #include "game/ui/shared/words.hpp"
 #include "render/panels/world_label.hpp"
@@ -132,6 +133,7 @@ void drawWords(PlayParts const& parts, bool bare) {
     if (bare) {
         return;
     }
+    drawWhyWords(camera, static_cast<double>(parts.context.window.uiScale()), parts.why);
     auto const chip = [&](Vec2 at, std::string const& text, Colour colour, float below) {
         worldLabel(camera, toPoint(at), text.c_str(),
                    {.look = LabelLook::Chip, .colour = colour, .below = below});
@@ -190,6 +192,7 @@ Marked markedObjects(PlayParts const& parts) {
         under.valid() && number && parts.run.building() && !carried) {
         Marked::add(marked.hovered, parts.session.objectsOf(*number));
     }
+    Marked::add(marked.selected, objectsOfStep(parts.why, parts.shownWorld()));
     for (int const number : parts.group.chosen()) {
         Marked::add(parts.group.dragging() ? marked.hidden : marked.selected,
                     parts.session.objectsOf(number));
@@ -257,6 +260,7 @@ void drawField(PlayParts& parts) {
         drawWords(parts, true);
         return;
     }
+    drawWhy(canvas, parts.why);
     drawNewWire(parts);
     drawBlades(parts);
     drawHandle(parts);

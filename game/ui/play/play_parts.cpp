@@ -38,8 +38,10 @@ PlayParts::PlayParts(UiContext& uiContext, std::filesystem::path levelFile,
       wires(session, context.toasts), hand(session, context.toasts), secondHand(session, context.toasts, 1),
       budget(data ? data->registry : context.registry), goals(session.level()),
       timeline(data ? data->registry : context.registry, session),
-      goalCounts(ui::goalCounts(session.level())), said(session), audio(context.loudspeaker),
-      touches(context.loudspeaker), run(session, placing, hand, budget, audio, view, runEvents()),
+      goalCounts(ui::goalCounts(session.level())), said(session),
+      why(data ? data->registry : context.registry, data ? data->parts : context.parts, data, session, said),
+      audio(context.loudspeaker), touches(context.loudspeaker),
+      run(session, placing, hand, budget, audio, view, runEvents()),
       lesson(session, !context.profile.solved(id)), keeper(context.builds, id),
       film(context.recorder, context.toasts),
       shelf(context.solutions, id, data ? data->registry : context.registry, session,
@@ -66,6 +68,9 @@ RunEvents PlayParts::runEvents() {
                 },
             .beforeStep =
                 [this] {
+                    if (session.world().frame() == 0) {
+                        why.close(); // it was about another run
+                    }
                     secondHand.beforeStep();
                     timeline.beforeStep();
                     scene.remember(session.world());
@@ -80,6 +85,7 @@ RunEvents PlayParts::runEvents() {
                     }
                     stepped();
                 },
+            .stopping = [this] { why.runEnds(); },
             .stopped =
                 [this] {
                     timeline.stopped();
@@ -123,6 +129,27 @@ void PlayParts::lookAtPast() {
     hand.letGo();
     secondHand.letGo();
     timeline.setOpen(true);
+}
+
+void PlayParts::lookAt(std::uint64_t frame) {
+    if (!run.building()) {
+        lookAtPast();
+        timeline.seek(frame);
+    }
+}
+
+void PlayParts::askWhy() {
+    auto const selected = placing.selected();
+    ObjectId object = picking.hovered();
+    if (!object.valid()) {
+        object = selected ? session.objectOf(*selected) : inspector.object(session);
+    }
+    if (object.valid() && !run.building()) {
+        why.askObject(session.world().store().nameOf(object), timeline.frame());
+    } else {
+        why.askNextGoal();
+    }
+    inspector.close();
 }
 
 void PlayParts::continueHere() {
@@ -175,6 +202,7 @@ void PlayParts::load(Solution const& solution) {
     group.reset();
     wires.reset();
     inspector.close();
+    why.close();
     session.load(solution);
     newWorld();
     context.toasts.add(textWith("solutions.loaded", solution.name), render::ToastKind::News, 5);
@@ -186,6 +214,7 @@ void PlayParts::restart() {
     group.reset();
     wires.reset();
     inspector.close();
+    why.close();
     session.putAllBack();
     hintsShown = 0;
     lesson.restart();
