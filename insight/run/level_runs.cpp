@@ -55,10 +55,15 @@ std::optional<std::uint64_t> RunResult::metIn(std::string const& goal) const {
 }
 
 LevelRuns::LevelRuns(GameData const& data, LevelFile level, std::map<std::string, std::string> const& detail)
-    : data_(data), level_(std::move(level)) {
+    : LevelRuns(data.registry, data.parts, std::move(level)) {
+    data_ = &data;
     for (auto const& [effect, name] : detail) {
         level_.detail[effect] = name;
     }
+}
+
+LevelRuns::LevelRuns(Registry const& registry, PartLibrary const& parts, LevelFile level)
+    : registry_(registry), parts_(parts), data_(nullptr), level_(std::move(level)) {
     // Every run copies the level.
     level_.solutions.clear();
     level_.hints.clear();
@@ -73,7 +78,10 @@ std::uint64_t LevelRuns::framesFor(Solution const& solution) {
 
 Registry const& LevelRuns::registryWithout(std::set<std::string> const& effects) const {
     if (effects.empty()) {
-        return data_.registry;
+        return registry_;
+    }
+    if (data_ == nullptr) {
+        throw std::invalid_argument("no effect can be left out here");
     }
     std::scoped_lock const lock(registriesMutex_);
     auto& made = registries_[effects];
@@ -81,7 +89,7 @@ Registry const& LevelRuns::registryWithout(std::set<std::string> const& effects)
         auto registry = std::make_unique<Registry>();
         registerEffects(*registry, effects);
         Problems problems;
-        (void)lua::registerMods(*registry, data_.mods, data_.scriptLog, problems);
+        (void)lua::registerMods(*registry, data_->mods, data_->scriptLog, problems);
         problems.throwIfAny(); // a script calls the effect
         made = std::move(registry);
     }
@@ -96,8 +104,8 @@ RunResult LevelRuns::run(Variation const& variation, RunLimits const& limits,
         WorldOptions options;
         options.detail = left.level.detail;
         options.trace = limits.trace;
-        LevelRun run(registryWithout(left.effects), data_.parts, left.level, left.solution.placements,
-                     options, left.solution.wires);
+        LevelRun run(registryWithout(left.effects), parts_, left.level, left.solution.placements, options,
+                     left.solution.wires);
         Playback const playback(left.solution.inputs, left.solution.changes);
         ContactsGone contacts(left.contacts);
         if (observer.begin) {

@@ -49,6 +49,9 @@ class LevelRuns {
 public:
     /// `data` must outlive it. `detail` overrides the detail levels that the level states.
     LevelRuns(GameData const& data, LevelFile level, std::map<std::string, std::string> const& detail = {});
+    /// Of a program that has them without mods. All effects are run: a variation without one is a fault. Both
+    /// must outlive it.
+    LevelRuns(Registry const& registry, PartLibrary const& parts, LevelFile level);
     LevelRuns(LevelRuns const&) = delete;
     LevelRuns& operator=(LevelRuns const&) = delete;
 
@@ -61,14 +64,15 @@ public:
                                 RunObserver const& observer = {}) const;
 
     [[nodiscard]] LevelFile const& level() const { return level_; }
-    [[nodiscard]] GameData const& data() const { return data_; }
     /// How long to run a solution that should solve the level: as long as it states, else a minute.
     [[nodiscard]] static std::uint64_t framesFor(Solution const& solution);
 
 private:
     [[nodiscard]] Registry const& registryWithout(std::set<std::string> const& effects) const;
 
-    GameData const& data_;
+    Registry const& registry_;
+    PartLibrary const& parts_;
+    GameData const* data_; // nullptr: unknown
     LevelFile level_;
     // By the effects that are left out; made when first needed.
     mutable std::mutex registriesMutex_;

@@ -7,18 +7,32 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace trembler::insight {
 
-/// What is asked about; exactly one of the three, or none: the first goal that was not met, or else the
+/// Something that was seen to happen, in a run that was not traced.
+struct Happening {
+    std::uint64_t frame = 0;
+    std::vector<std::string> objects; ///< that it was about, by name; not empty
+    std::vector<StepKind> kinds;      ///< what it may have been
+};
+
+/// What is asked about; exactly one of the four, or none: the first goal that was not met, or else the
 /// solving of the level.
 struct Question {
     std::optional<std::string> goal{};    ///< by id
     std::optional<std::uint64_t> event{}; ///< by its number in the trace of the run, as `run --trace` has it
     std::optional<std::string> object{};  ///< why it is as it is ...
     double at = 0;                        ///< ... at this time, in s
+    std::optional<Happening> happening{}; ///< the last such event up to then
+};
+
+/// Nothing that could be told has happened to what was asked about.
+struct NothingHappened : std::invalid_argument {
+    using std::invalid_argument::invalid_argument;
 };
 
 /// How well a step of a chain is known.
@@ -34,7 +48,8 @@ enum class Proof : std::uint8_t {
 struct ChainStep {
     Step step;
     Proof proof = Proof::traced;
-    Vec2 at; ///< m, in the world: where its first object was at the start; for marks on a picture
+    /// m, in the world, at its moment: of a contact, where the two touched; else where its first object was.
+    Vec2 at;
 };
 
 struct Answer {
@@ -57,14 +72,19 @@ struct AskOptions {
     std::uint64_t frames = 3600; ///< of the run at most
     /// Name gravity's helpers, too: contacts with fixed objects that conduct nothing.
     bool everything = false;
+    int threads = 0; ///< that run at the same time, at most 16; 0: one for each processor
     /// Called after each run with the number of runs so far and of those planned; false: no further ones.
+    /// From any thread, one at a time.
     std::function<bool(std::size_t done, std::size_t of)> progress;
+    /// Asked after every frame, from any thread; true: ends as soon as it can, with what it has.
+    std::function<bool()> stop;
 };
 
 /// Answers a question about a run of a level. Runs it once, traced, and then once for each thing that may be
 /// a cause, and for sets of them. A pure function of its arguments, as long as `progress` returns true; may
-/// be called from any thread. Throws std::invalid_argument, naming what there is instead, if there is no such
-/// goal, event or object, or nothing to tell of the object, and if the run is not possible.
+/// be called from any thread; does not depend on the number of threads. Throws std::invalid_argument, naming
+/// what there is instead, if there is no such goal, event or object, and if the run is not possible;
+/// NothingHappened if there is nothing to tell.
 [[nodiscard]] Answer why(LevelRuns const& runs, Solution const& solution, Question const& question,
                          AskOptions const& options = {});
 

@@ -46,8 +46,27 @@ Event const& eventOf(std::span<Event const> events, std::string const& object, d
         }
     }
     if (found == nullptr) {
-        throw std::invalid_argument(
+        throw NothingHappened(
             fmt::format("--object {}: nothing has happened to it by {} s", object, seconds));
+    }
+    return *found;
+}
+
+/// The last event up to the frame that may be what was seen.
+Event const& eventOf(std::span<Event const> events, Happening const& seen) {
+    Event const* found = nullptr;
+    for (Event const& event : events) {
+        auto const kind = kindOf(event);
+        bool const named = std::all_of(seen.objects.begin(), seen.objects.end(), [&](auto const& name) {
+            return std::find(event.objects.begin(), event.objects.end(), name) != event.objects.end();
+        });
+        if (event.frame <= seen.frame && named && kind &&
+            std::find(seen.kinds.begin(), seen.kinds.end(), *kind) != seen.kinds.end()) {
+            found = &event;
+        }
+    }
+    if (found == nullptr) {
+        throw NothingHappened(fmt::format("no such event has happened by frame {}", seen.frame));
     }
     return *found;
 }
@@ -83,6 +102,29 @@ std::string chosenGoal(RunResult const& result, Question const& question) {
     return last->id;
 }
 
+Event const& askedEvent(std::span<Event const> events, Question const& question, SceneFacts const& facts,
+                        World const& world) {
+    if (question.event) {
+        return eventNumbered(events, *question.event);
+    }
+    return question.happening ? eventOf(events, *question.happening)
+                              : eventOf(events, *question.object, question.at, facts, world);
+}
+
+/// Whether nothing that happens later matters to the question.
+bool isDecided(LevelRun const& run, Question const& question) {
+    if (question.object) {
+        return run.world().time() >= question.at;
+    }
+    if (question.happening) {
+        return run.world().frame() >= question.happening->frame;
+    }
+    std::vector<GoalStatus> const& goals = run.judge().status();
+    return question.goal && std::any_of(goals.begin(), goals.end(), [&](GoalStatus const& goal) {
+               return goal.id == *question.goal && goal.frame.has_value();
+           });
+}
+
 void describe(Target& target, std::span<Event const> events, Event const& event, SceneFacts const& facts) {
     target.event = event.id;
     target.component = event.component;
@@ -106,7 +148,8 @@ Target findTarget(LevelRuns const& runs, Solution const& solution, Question cons
                   AskOptions const& options, Answer& answer) {
     Target target;
     std::unique_ptr<MissMeter> meter;
-    bool const aboutGoal = !question.event && !question.object;
+    bool const aboutGoal = !question.event && !question.object && !question.happening;
+    bool stopped = false;
     std::string fault;
     RunObserver observer;
     observer.begin = [&](LevelRun const& run) {
@@ -116,12 +159,18 @@ Target findTarget(LevelRuns const& runs, Solution const& solution, Question cons
         }
     };
     observer.frame = [&](LevelRun const& run) {
+        target.places.look(run.world());
         if (meter != nullptr) {
             meter->look(run.world());
         }
-        return !question.object || run.world().time() < question.at;
+        stopped = options.stop && options.stop();
+        return !stopped && !isDecided(run, question);
     };
     observer.end = [&](LevelRun const& run) {
+        if (stopped) {
+            answer.complete = false;
+            return;
+        }
         Tracer const* const tracer = run.world().tracer();
         std::span<Event const> const events = tracer->events();
         for (Event const& event : events) {
@@ -130,10 +179,7 @@ Target findTarget(LevelRuns const& runs, Solution const& solution, Question cons
             }
         }
         if (!aboutGoal) {
-            Event const& event =
-                question.event ? eventNumbered(events, *question.event)
-                               : eventOf(events, *question.object, question.at, answer.facts, run.world());
-            describe(target, events, event, answer.facts);
+            describe(target, events, askedEvent(events, question, answer.facts, run.world()), answer.facts);
             return;
         }
         RunResult now;

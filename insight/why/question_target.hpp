@@ -2,6 +2,7 @@
 #pragma once
 
 #include "insight/why/answer.hpp"
+#include "insight/why/step_places.hpp"
 
 namespace trembler::insight {
 
@@ -15,10 +16,12 @@ struct Target {
     std::size_t times = 1;   ///< it was this event's how many-th time
     std::uint64_t frame = 0; ///< in which it happened
     Story story;
+    StepPlaces places; ///< of the first run
 };
 
 /// Runs the solution, traced and measured, and finds the event in it. Fills in the answer's frames, facts,
-/// goal and nearest miss. Throws std::invalid_argument, see why().
+/// goal, nearest miss, and `complete`: without an event if it was stopped. Throws
+/// std::invalid_argument, see why().
 [[nodiscard]] Target findTarget(LevelRuns const& runs, Solution const& solution, Question const& question,
                                 AskOptions const& options, Answer& answer);
 

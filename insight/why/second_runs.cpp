@@ -1,5 +1,6 @@
 #include "insight/why/second_runs.hpp"
 
+#include "insight/why/side_by_side.hpp"
 #include "runtime/trace/tracer.hpp"
 
 #include <algorithm>
@@ -39,18 +40,29 @@ std::vector<bool> happening(Story const& story, std::span<Event const> events) {
 
 SecondRuns::SecondRuns(LevelRuns const& runs, Solution const& solution, Target const& target,
                        AskOptions const& options)
-    : runs_(runs), solution_(solution), target_(target), options_(options),
-      horizon_(horizonOf(target.frame)) {}
+    : runs_(runs), solution_(solution), target_(target), options_(options), horizon_(horizonOf(target.frame)),
+      threads_(threadsFor(options.threads)) {}
 
-void SecondRuns::noteRun(std::size_t planned) {
+bool SecondRuns::noteRun(std::size_t planned) {
+    std::scoped_lock const lock(noting_);
+    if (!complete_) {
+        return false;
+    }
     ++done_;
     if (options_.progress && !options_.progress(done_, std::max(done_, planned))) {
         complete_ = false;
     }
+    return true;
 }
 
-SecondRuns::Outcome SecondRuns::without(std::vector<Candidate> const& candidates,
-                                        std::vector<std::size_t> const& left) {
+bool SecondRuns::stops() {
+    if (options_.stop && options_.stop()) {
+        complete_ = false;
+    }
+    return !complete_;
+}
+
+SecondRuns::Outcome SecondRuns::without(std::vector<Candidate> const& candidates, Set const& left) {
     Variation variation{solution_, {}};
     for (std::size_t const i : left) {
         variation.leftOut.insert(variation.leftOut.end(), candidates[i].leftOut.begin(),
@@ -60,49 +72,89 @@ SecondRuns::Outcome SecondRuns::without(std::vector<Candidate> const& candidates
     variation.leftOut.erase(std::unique(variation.leftOut.begin(), variation.leftOut.end()),
                             variation.leftOut.end());
     Outcome outcome;
+    bool stopped = false;
+    std::size_t seen = 0; // events of the trace
+    std::size_t times = 0;
     RunObserver observer;
-    observer.end = [&](LevelRun const& run) {
+    observer.frame = [&](LevelRun const& run) {
         std::span<Event const> const events = run.world().tracer()->events();
-        outcome.happens = timesIn(events, target_, horizon_) >= target_.times;
-        outcome.steps = happening(target_.story, events);
+        times += timesIn(events.subspan(seen), target_, horizon_);
+        seen = events.size();
+        stopped = stops();
+        return !stopped && times < target_.times;
+    };
+    observer.end = [&](LevelRun const& run) {
+        bool const happens = times >= target_.times;
+        outcome.kind = happens ? Outcome::Kind::happens : Outcome::Kind::prevented;
+        if (!happens) {
+            outcome.steps = happening(target_.story, run.world().tracer()->events());
+        }
     };
     RunResult const result =
         runs_.run(variation, {.frames = horizon_, .stopWhenSolved = false, .trace = true}, observer);
-    if (result.fault) { // it cannot be run without it: nothing is known
+    if (result.fault || stopped) {
         outcome = {};
     }
     return outcome;
 }
 
-std::vector<std::size_t> SecondRuns::smallestOf(std::vector<Candidate> const& candidates,
-                                                std::vector<std::size_t> set) {
+std::vector<SecondRuns::Outcome> SecondRuns::without(std::vector<Candidate> const& candidates,
+                                                     std::vector<Set> const& sets, bool note) {
+    std::vector<Outcome> outcomes(sets.size());
+    sideBySide(sets.size(), threads_, [&](std::size_t i) {
+        if (stops()) {
+            return;
+        }
+        Outcome outcome = without(candidates, sets[i]);
+        if (!stops() && (!note || noteRun(sets.size()))) {
+            outcomes[i] = std::move(outcome);
+        }
+    });
+    return outcomes;
+}
+
+std::size_t SecondRuns::firstPreventing(std::vector<Candidate> const& candidates,
+                                        std::vector<Set> const& sets, Outcome& outcome) {
+    auto const many = static_cast<std::size_t>(threads_);
+    for (std::size_t begin = 0; begin < sets.size() && complete_; begin += many) {
+        std::size_t const end = std::min(sets.size(), begin + many);
+        std::vector<Set> const some(sets.begin() + static_cast<std::ptrdiff_t>(begin),
+                                    sets.begin() + static_cast<std::ptrdiff_t>(end));
+        std::vector<Outcome> outcomes = without(candidates, some, false);
+        for (std::size_t i = 0; i < outcomes.size() && complete_; ++i) {
+            noteRun(done_ + sets.size() - begin - i); // one after the other would not have begun later ones
+            if (outcomes[i].kind == Outcome::Kind::prevented) {
+                outcome = std::move(outcomes[i]);
+                return begin + i;
+            }
+        }
+    }
+    return sets.size();
+}
+
+void SecondRuns::makeSmallest(std::vector<Candidate> const& candidates, Set& set, Outcome& outcome) {
     std::size_t parts = 2;
     while (set.size() >= 2 && complete_) {
         std::size_t const size = (set.size() + parts - 1) / parts;
-        bool reduced = false;
-        for (std::size_t begin = 0; begin < set.size() && !reduced && complete_; begin += size) {
-            std::vector<std::size_t> rest;
+        std::vector<Set> rests;
+        for (std::size_t begin = 0; begin < set.size(); begin += size) {
+            Set& rest = rests.emplace_back();
             for (std::size_t i = 0; i < set.size(); ++i) {
                 if (i < begin || i >= begin + size) {
                     rest.push_back(set[i]);
                 }
             }
-            Outcome const outcome = without(candidates, rest);
-            noteRun(done_ + set.size());
-            if (!outcome.happens) {
-                set = std::move(rest);
-                parts = std::max<std::size_t>(2, parts - 1);
-                reduced = true;
-            }
         }
-        if (!reduced) {
-            if (size == 1) {
-                break;
-            }
+        std::size_t const found = firstPreventing(candidates, rests, outcome);
+        if (found < rests.size()) {
+            set = std::move(rests[found]);
+            parts = std::max<std::size_t>(2, parts - 1);
+        } else if (size == 1) {
+            break;
+        } else {
             parts = std::min(set.size(), parts * 2);
         }
     }
-    return set;
 }
 
 void SecondRuns::noteVanished(std::vector<Proof>& proofs, std::vector<std::size_t> const& from,
@@ -128,43 +180,45 @@ void SecondRuns::noteVanished(std::vector<Proof>& proofs, std::vector<std::size_
 
 std::vector<Proof> SecondRuns::test(std::vector<Candidate> const& candidates) {
     std::vector<Proof> proofs(target_.story.steps.size(), Proof::traced);
-    std::vector<std::size_t> refuted;
+    Set refuted;
     auto const mark = [&](std::size_t candidate, Proof proof) {
         for (std::size_t const step : candidates[candidate].steps) {
             proofs[step] = proof;
         }
     };
-    std::vector<std::pair<std::size_t, Outcome>> needed;
-    for (std::size_t i = 0; i < candidates.size() && complete_; ++i) {
-        Outcome outcome = without(candidates, {i});
-        noteRun(candidates.size());
-        if (outcome.happens && !outcome.steps.empty()) {
+    std::vector<Set> alone;
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+        alone.push_back({i});
+    }
+    std::vector<Outcome> const outcomes = without(candidates, alone, true);
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+        if (outcomes[i].kind == Outcome::Kind::happens) {
             mark(i, Proof::refuted);
             refuted.push_back(i);
-        } else if (!outcome.happens) {
+        } else if (outcomes[i].kind == Outcome::Kind::prevented) {
             mark(i, Proof::confirmed);
-            needed.emplace_back(i, std::move(outcome));
         }
     }
-    for (auto const& [i, outcome] : needed) {
-        noteVanished(proofs, candidates[i].steps, outcome, Proof::confirmed);
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+        if (outcomes[i].kind == Outcome::Kind::prevented) {
+            noteVanished(proofs, candidates[i].steps, outcomes[i], Proof::confirmed);
+        }
     }
     if (refuted.size() < 2 || !complete_) {
         return proofs;
     }
-    Outcome const all = without(candidates, refuted);
+    Outcome all = without(candidates, refuted);
     noteRun(candidates.size() + 1);
-    if (all.happens) {
+    if (all.kind != Outcome::Kind::prevented) {
         return proofs;
     }
-    std::vector<std::size_t> const smallest = smallestOf(candidates, refuted);
+    makeSmallest(candidates, refuted, all);
     std::vector<std::size_t> steps;
-    for (std::size_t const i : smallest) {
+    for (std::size_t const i : refuted) {
         mark(i, Proof::together);
         steps.insert(steps.end(), candidates[i].steps.begin(), candidates[i].steps.end());
     }
-    noteVanished(proofs, steps, without(candidates, smallest), Proof::together);
-    noteRun(done_ + 1);
+    noteVanished(proofs, steps, all, Proof::together);
     return proofs;
 }
 

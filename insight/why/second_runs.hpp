@@ -4,11 +4,14 @@
 #include "insight/why/candidates.hpp"
 #include "insight/why/question_target.hpp"
 
+#include <atomic>
+#include <mutex>
 #include <vector>
 
 namespace trembler::insight {
 
-/// Tests candidates by leaving them out and running again. Not thread-safe.
+/// Tests candidates by leaving them out and running again, several at the same time. The results depend on
+/// neither the number of threads nor their order. One thread at a time may use it.
 class SecondRuns {
 public:
     /// All must outlive it.
@@ -22,19 +25,34 @@ public:
     /// either in a run without one of its causes in which what was asked about did not happen.
     [[nodiscard]] std::vector<Proof> test(std::vector<Candidate> const& candidates);
 
+    /// Those whose results were needed.
     [[nodiscard]] std::size_t runs() const { return done_; }
     [[nodiscard]] bool complete() const { return complete_; }
 
 private:
     struct Outcome {
-        bool happens = true;
-        std::vector<bool> steps; ///< which steps of the story happen; empty if it was not looked
+        enum class Kind : std::uint8_t {
+            unknown,   ///< it cannot be run, or was stopped
+            happens,   ///< what was asked about happens all the same
+            prevented, ///< it does not
+        };
+        Kind kind = Kind::unknown;
+        std::vector<bool> steps; ///< if it is prevented: which steps of the story happen
     };
-    [[nodiscard]] Outcome without(std::vector<Candidate> const& candidates,
-                                  std::vector<std::size_t> const& left);
-    [[nodiscard]] std::vector<std::size_t> smallestOf(std::vector<Candidate> const& candidates,
-                                                      std::vector<std::size_t> set);
-    void noteRun(std::size_t planned);
+    using Set = std::vector<std::size_t>; ///< of candidates
+    /// One run. It ends as soon as what was asked about happens.
+    [[nodiscard]] Outcome without(std::vector<Candidate> const& candidates, Set const& left);
+    /// Runs without each of the sets. `note`: each counts.
+    [[nodiscard]] std::vector<Outcome> without(std::vector<Candidate> const& candidates,
+                                               std::vector<Set> const& sets, bool note);
+    /// A smallest set within one without which it is prevented, and the outcome of the run without it.
+    void makeSmallest(std::vector<Candidate> const& candidates, Set& set, Outcome& outcome);
+    /// The first of the sets without which it is prevented; the number of sets if there is none.
+    [[nodiscard]] std::size_t firstPreventing(std::vector<Candidate> const& candidates,
+                                              std::vector<Set> const& sets, Outcome& outcome);
+    /// Counts a run; false, and does not, if no further ones are wanted.
+    bool noteRun(std::size_t planned);
+    [[nodiscard]] bool stops();
     /// Confirms the steps between a candidate and the end that vanished with it.
     void noteVanished(std::vector<Proof>& proofs, std::vector<std::size_t> const& from,
                       Outcome const& outcome, Proof proof) const;
@@ -44,8 +62,10 @@ private:
     Target const& target_;
     AskOptions const& options_;
     std::uint64_t horizon_;
+    int threads_;
+    std::mutex noting_;
     std::size_t done_ = 0;
-    bool complete_ = true;
+    std::atomic<bool> complete_ = true;
 };
 
 } // namespace trembler::insight

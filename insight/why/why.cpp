@@ -105,7 +105,8 @@ std::vector<StepSet> toldCauses(Story const& story, std::vector<bool> const& tol
     return result;
 }
 
-void tell(Answer& answer, Story const& story, std::vector<Proof> const& proofs, bool everything) {
+void tell(Answer& answer, Target const& target, std::vector<Proof> const& proofs, bool everything) {
+    Story const& story = target.story;
     std::vector<bool> told = toldSteps(story, proofs, answer.facts, everything);
     joinBounces(story, told);
     std::vector<StepSet> const causes = toldCauses(story, told);
@@ -123,8 +124,9 @@ void tell(Answer& answer, Story const& story, std::vector<Proof> const& proofs, 
             made.step.because.push_back(placeOf[cause]);
         }
         if (!made.step.objects.empty()) {
-            auto const at = answer.facts.places.find(made.step.objects.front());
-            made.at = at == answer.facts.places.end() ? Vec2{} : at->second;
+            auto const start = answer.facts.places.find(made.step.objects.front());
+            made.at = target.places.of(made.step.event,
+                                       start == answer.facts.places.end() ? Vec2{} : start->second);
         }
         bool const root = made.step.because.empty();
         bool const known = proofs[i] == Proof::confirmed || proofs[i] == Proof::together;
@@ -158,13 +160,13 @@ Answer why(LevelRuns const& runs, Solution const& solution, Question const& ques
         return answer; // the nearest miss is in it
     }
     answer.happened = true;
-    Story const& story = target.story;
-    std::vector<Candidate> const candidates = candidatesOf(story, answer.facts, solution, options.everything);
+    std::vector<Candidate> const candidates =
+        candidatesOf(target.story, answer.facts, solution, options.everything);
     SecondRuns second(runs, solution, target, options);
     std::vector<Proof> const proofs = second.test(candidates);
     answer.runs += second.runs();
     answer.complete = second.complete();
-    tell(answer, story, proofs, options.everything);
+    tell(answer, target, proofs, options.everything);
     return answer;
 }
 

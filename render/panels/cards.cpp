@@ -89,6 +89,7 @@ void goalLines(std::span<GoalLine const> lines) {
     float const side = scaled(20);
     for (auto const& line : lines) {
         ImVec2 const at = ImGui::GetCursorScreenPos();
+        float const end = at.x + ImGui::GetContentRegionAvail().x; // of the card, or of its column
         float const top = at.y + 0.5F * (ImGui::GetTextLineHeight() - side);
         ImVec2 const low{at.x, top};
         ImVec2 const high{at.x + side, top + side};
@@ -112,8 +113,7 @@ void goalLines(std::span<GoalLine const> lines) {
         if (line.progress >= 0.F) {
             float const y = ImGui::GetItemRectMax().y + scaled(3);
             float const left = at.x + side + scaled(10);
-            float const right =
-                std::max(ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x, left + scaled(60));
+            float const right = std::max(end, left + scaled(60));
             float const share = std::clamp(line.progress, 0.F, 1.F);
             list.AddRectFilled({left, y}, {right, y + scaled(6)}, imColour(paperShade), scaled(3));
             list.AddRectFilled({left, y}, {left + share * (right - left), y + scaled(6)}, imColour(goal),

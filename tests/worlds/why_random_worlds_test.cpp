@@ -3,6 +3,7 @@
 #include "insight/why/answer.hpp"
 #include "insight/why/candidates.hpp"
 #include "puzzle/goals/level_schema.hpp"
+#include "runtime/level/build/build_world.hpp"
 #include "runtime/level/read/read_level.hpp"
 #include "runtime/trace/tracer.hpp"
 #include "tests/worlds/random_level.hpp"
@@ -22,28 +23,40 @@ GameData const& whyWorldsData() {
     return data;
 }
 
-/// The level without what the reader rejects; nothing if too much of it is wrong.
+/// The level without goals and without what the reader rejects; nothing if too much of it is wrong.
 std::optional<LevelFile> readable(nlohmann::json level) {
+    for (char const* const key : {"goals", "task", "solutions", "hints", "teaching", "texts"}) {
+        level.erase(key);
+    }
     for (int attempt = 0; attempt < 60; ++attempt) {
         try {
             LevelFile file =
                 readLevel(whyWorldsData().registry, JsonDocument::parse(level.dump(), "random world"));
-            file.goals = nullptr;
-            LevelRuns const runs(whyWorldsData(), file);
-            if (runs.run({}, {.frames = 1}).fault) {
-                return std::nullopt;
-            }
+            (void)buildWorld(whyWorldsData().registry, file, whyWorldsData().parts);
             return file;
         } catch (InputError const& error) {
-            if (error.diagnostics().empty() || !worlds::takeAway(level, error.diagnostics().front().path)) {
+            std::vector<std::string> paths;
+            for (Diagnostic const& diagnostic : error.diagnostics()) {
+                paths.push_back(diagnostic.path);
+            }
+            std::sort(paths.begin(), paths.end(), [](std::string const& one, std::string const& other) {
+                return one.size() != other.size() ? one.size() > other.size() : one > other;
+            });
+            paths.erase(std::unique(paths.begin(), paths.end()), paths.end());
+            bool less = false;
+            for (std::string const& path : paths) { // later entries of a list first
+                less = worlds::takeAway(level, path) || less;
+            }
+            for (nlohmann::json& object : level["objects"]) { // what is wrong is in a part
+                less = less || object.erase("part") > 0;
+            }
+            if (!less) {
                 return std::nullopt;
             }
         }
     }
     return std::nullopt;
 }
-
-using Names = std::vector<std::string>;
 
 std::size_t timesOf(std::span<Event const> events, Step const& asked, std::uint64_t last) {
     return static_cast<std::size_t>(std::count_if(events.begin(), events.end(), [&](Event const& event) {

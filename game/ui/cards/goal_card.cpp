@@ -67,13 +67,53 @@ void drawHints(std::vector<std::string> const& hints, std::size_t hintsShown, Co
     }
 }
 
+/// Each line with its button at the right end; returns the one that was pressed.
+std::optional<std::size_t> drawAskedLines(Layout& layout, std::vector<GoalLine> const& lines,
+                                          CommandButtons const& buttons) {
+    std::optional<std::size_t> asked;
+    std::string const tip = buttons.tip("why-goal");
+    ImGui::PushFont(theme().fonts.small);
+    float const word = std::max(ImGui::CalcTextSize(text("Why?")).x, ImGui::CalcTextSize(text("Why not?")).x);
+    ImGui::PopFont();
+    float const width = word + scaled(14);
+    if (!ImGui::BeginTable("goals", 2, ImGuiTableFlags_NoPadOuterX)) {
+        return asked;
+    }
+    ImGui::TableSetupColumn("goal", ImGuiTableColumnFlags_WidthStretch);
+    ImGui::TableSetupColumn("why", ImGuiTableColumnFlags_WidthFixed, width);
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        ImGui::TableNextRow();
+        ImGui::TableNextColumn();
+        goalLines({&lines[i], 1});
+        ImGui::TableNextColumn();
+        ImGui::PushFont(theme().fonts.small);
+        ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(0, scaled(2)));
+        bool const met = lines[i].state == GoalLine::State::Met;
+        std::string const label =
+            std::string(met ? text("Why?") : text("Why not?")) + "##" + std::to_string(i);
+        if (ImGui::Button(label.c_str(), {width, 0})) {
+            asked = i;
+        }
+        layout.item("why goal " + std::to_string(i + 1));
+        ImGui::PopStyleVar();
+        ImGui::PopFont();
+        if (ImGui::IsItemHovered()) {
+            ImGui::SetTooltip("%s", tip.c_str());
+        }
+    }
+    ImGui::EndTable();
+    return asked;
+}
+
 } // namespace
 
-void drawGoalCard(Layout& layout, Session const& session, GoalCardLook const& look, CommandButtons* buttons) {
+std::optional<std::string> drawGoalCard(Layout& layout, Session const& session, GoalCardLook const& look,
+                                        CommandButtons* buttons) {
     LevelFile const& level = session.level();
     std::string const& title = look.said != nullptr ? look.said->title() : level.title;
     std::string const& story = look.said != nullptr ? look.said->text() : level.text;
     std::vector<std::string> const& hints = look.said != nullptr ? look.said->hints() : level.hints;
+    std::optional<std::string> asked;
     layout.beginCard("goal", "", {.anchor = Anchor::TopLeft, .width = goalCardWidth});
     // What does not fit above the buttons scrolls: its height is that of the last picture.
     ImGuiID const heightId = ImGui::GetID("height of the content");
@@ -105,7 +145,14 @@ void drawGoalCard(Layout& layout, Session const& session, GoalCardLook const& lo
         if (!look.brief) {
             smallHeading(look.task ? text("goal.task") : words::goal);
         }
-        goalLines(lines);
+        if (look.why && buttons != nullptr) {
+            auto const line = drawAskedLines(layout, lines, *buttons);
+            if (line && *line < session.judge().status().size()) {
+                asked = session.judge().status()[*line].id;
+            }
+        } else {
+            goalLines(lines);
+        }
     }
     if (!look.brief && buttons != nullptr && !hints.empty()) {
         rule();
@@ -118,6 +165,7 @@ void drawGoalCard(Layout& layout, Session const& session, GoalCardLook const& lo
     }
     ImGui::GetStateStorage()->SetFloat(heightId, drawn);
     layout.endCard();
+    return asked;
 }
 
 } // namespace trembler::ui

@@ -33,6 +33,7 @@ struct GoalCardLook {
     bool task = false;                   ///< of a demonstration
     std::span<int const> counts{};       ///< see goalCounts()
     std::span<GoalStatus const> goals{}; ///< as they were at the moment that is shown; empty: as they are
+    bool why = false;                    ///< each goal has a button to ask why
 };
 
 struct SuccessLook {
@@ -45,8 +46,10 @@ struct SuccessLook {
 // Each function draws its card between Gui::beginFrame and endFrame. Commands that the player asks for are
 // recorded in `buttons`.
 
-/// `buttons` is nullptr for a picture, which has no buttons.
-void drawGoalCard(Layout& layout, Session const& session, GoalCardLook const& look, CommandButtons* buttons);
+/// `buttons` is nullptr for a picture, which has no buttons. Returns the id of the goal about which the
+/// player asks why.
+std::optional<std::string> drawGoalCard(Layout& layout, Session const& session, GoalCardLook const& look,
+                                        CommandButtons* buttons);
 void drawTransport(CommandButtons& buttons, RunControl const& run);
 /// `mods`: the level has mods, and a button for them.
 void drawTools(CommandButtons& buttons, Session const& session, bool mods);

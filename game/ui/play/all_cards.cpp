@@ -58,14 +58,15 @@ Beside cardsBeside(PlayParts const& parts) {
     LevelFile const& level = parts.session.level();
     bool const boxed = !level.toolbox.empty() || level.wires > 0;
     Beside beside;
+    bool const inspects = parts.inspector.open() || parts.why.open(); // one in the place of the other
     beside.narrow = width < roomyWidth;
-    beside.success = parts.celebration.showing();
-    beside.narrowSuccess = beside.narrow || (boxed && !parts.inspector.open());
-    bool const atRight = parts.inspector.open() || (beside.success && beside.narrowSuccess);
+    beside.success = parts.celebration.showing() && !(beside.narrow && parts.why.open());
+    beside.narrowSuccess = beside.narrow || (boxed && !inspects);
+    bool const atRight = inspects || (beside.success && beside.narrowSuccess);
     bool const roomForBoth = width >= panelsWidth + inspectorWidth + 3 * cardGap;
     beside.panels = panel && (roomForBoth || !atRight);
     beside.goal = !beside.panels || height >= leastForGoalAndPanel;
-    beside.toolbox = parts.run.building() && !parts.inspector.open() && (roomForBoth || !beside.panels);
+    beside.toolbox = parts.run.building() && !inspects && (roomForBoth || !beside.panels);
     return beside;
 }
 
@@ -142,7 +143,12 @@ void drawPast(PlayParts& parts, CommandButtons& buttons, float bottom) {
     }
     ProbePanel& probes = timeline.probes();
     Layout& layout = parts.context.layout;
-    auto wanted = drawTimelineBar(buttons, timeline);
+    auto const wish = drawTimelineBar(buttons, timeline);
+    auto wanted = wish.frame;
+    if (wish.why) {
+        parts.inspector.close();
+        parts.why.askMark(*wish.why);
+    }
     if (parts.whatIf->active()) {
         auto const pointed = drawWhatIfLane(buttons, timeline, *parts.whatIf);
         wanted = pointed ? pointed : wanted;
@@ -199,14 +205,19 @@ std::optional<std::size_t> drawPlayCards(PlayParts& parts, CommandSet const& com
     bool const choosing =
         parts.timeline.shown() && (parts.timeline.probes().choosing() || parts.whatIf->active());
     if (beside.goal && !(choosing && beside.narrow)) { // the card of plots takes its room
-        drawGoalCard(layout, session,
-                     {.said = &parts.said,
-                      .hintsShown = parts.hintsShown,
-                      .brief = parts.components.open() || parts.modsPanel.open() || inPlay,
-                      .task = parts.ofGallery,
-                      .counts = parts.goalCounts,
-                      .goals = parts.timeline.goals()},
-                     &buttons);
+        auto const asked = drawGoalCard(layout, session,
+                                        {.said = &parts.said,
+                                         .hintsShown = parts.hintsShown,
+                                         .brief = parts.components.open() || parts.modsPanel.open() || inPlay,
+                                         .task = parts.ofGallery,
+                                         .counts = parts.goalCounts,
+                                         .goals = parts.timeline.goals(),
+                                         .why = parts.why.canAsk()},
+                                        &buttons);
+        if (asked) {
+            parts.inspector.close();
+            parts.why.askGoal(*asked);
+        }
     }
     drawCorner(buttons, !parts.run.building());
     if (beside.toolbox) {
@@ -221,10 +232,19 @@ std::optional<std::size_t> drawPlayCards(PlayParts& parts, CommandSet const& com
     drawTools(buttons, session, parts.hasMods());
     float const bottom = bottomRow + (parts.timeline.shown() ? parts.timeline.height() : 0);
     drawPast(parts, buttons, bottom);
-    drawSuccess(buttons, session, parts.celebration, successLook(parts, beside.narrowSuccess));
+    if (beside.success || !parts.celebration.showing()) {
+        drawSuccess(buttons, session, parts.celebration, successLook(parts, beside.narrowSuccess));
+    }
     float const screen = static_cast<float>(context.window.size().height) / context.window.uiScale();
     if (!(beside.success && beside.narrow)) {
-        parts.inspector.draw(layout, session, cornerRow, screen - cornerRow - bottom - 8,
+        float const height = screen - cornerRow - bottom - 8;
+        if (parts.inspector.open()) {
+            parts.why.close(); // the player has chosen an object since
+        }
+        if (auto const wanted = parts.why.draw(layout, cornerRow, height)) {
+            parts.lookAt(*wanted);
+        }
+        parts.inspector.draw(layout, session, cornerRow, height,
                              parts.timeline.looksBack() ? &parts.shownWorld() : nullptr);
     }
     if (beside.panels) {

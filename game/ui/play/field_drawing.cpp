@@ -2,6 +2,7 @@
 
 #include "game/ui/play/lesson/lesson_drawing.hpp"
 #include "game/ui/play/whatif/what_if_drawing.hpp"
+#include "game/ui/play/why/why_drawing.hpp"
 #include "game/ui/shared/scene_words.hpp"
 #include "game/ui/shared/words.hpp"
 #include "render/panels/world_label.hpp"
@@ -133,6 +134,7 @@ void drawWords(PlayParts const& parts, bool bare) {
     if (bare) {
         return;
     }
+    drawWhyWords(camera, static_cast<double>(parts.context.window.uiScale()), parts.why);
     auto const chip = [&](Vec2 at, std::string const& text, Colour colour, float below) {
         worldLabel(camera, toPoint(at), text.c_str(),
                    {.look = LabelLook::Chip, .colour = colour, .below = below});
@@ -195,6 +197,7 @@ Marked markedObjects(PlayParts const& parts) {
         parts.whatIf->atMoment() && chosen.valid()) {
         marked.selected.push_back(chosen);
     }
+    Marked::add(marked.selected, objectsOfStep(parts.why, parts.shownWorld()));
     for (int const number : parts.group.chosen()) {
         Marked::add(parts.group.dragging() ? marked.hidden : marked.selected,
                     parts.session.objectsOf(number));
@@ -263,6 +266,7 @@ void drawField(PlayParts& parts) {
         return;
     }
     drawWhatIf(canvas, world, *parts.whatIf, *parts.whatIfTool, parts.timeline.frame());
+    drawWhy(canvas, parts.why);
     drawNewWire(parts);
     drawBlades(parts);
     drawHandle(parts);

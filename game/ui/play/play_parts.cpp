@@ -41,8 +41,10 @@ PlayParts::PlayParts(UiContext& uiContext, std::filesystem::path levelFile,
       timeline(data ? data->registry : context.registry, session),
       whatIf(std::make_shared<WhatIfView>(data ? data->registry : context.registry, session, timeline)),
       whatIfTool(std::make_shared<WhatIfTool>(timeline, *whatIf)),
-      goalCounts(ui::goalCounts(session.level())), said(session), audio(context.loudspeaker),
-      touches(context.loudspeaker), run(session, placing, hand, budget, audio, view, runEvents()),
+      goalCounts(ui::goalCounts(session.level())), said(session),
+      why(data ? data->registry : context.registry, data ? data->parts : context.parts, data, session, said),
+      audio(context.loudspeaker), touches(context.loudspeaker),
+      run(session, placing, hand, budget, audio, view, runEvents()),
       lesson(session, !context.profile.solved(id)), keeper(context.builds, id),
       film(context.recorder, context.toasts),
       shelf(context.solutions, id, data ? data->registry : context.registry, session,
@@ -69,6 +71,9 @@ RunEvents PlayParts::runEvents() {
                 },
             .beforeStep =
                 [this] {
+                    if (session.world().frame() == 0) {
+                        why.close(); // it was about another run
+                    }
                     secondHand.beforeStep();
                     timeline.beforeStep();
                     scene.remember(session.world());
@@ -83,6 +88,7 @@ RunEvents PlayParts::runEvents() {
                     }
                     stepped();
                 },
+            .stopping = [this] { why.runEnds(); },
             .stopped =
                 [this] {
                     timeline.stopped();
@@ -128,6 +134,27 @@ void PlayParts::lookAtPast() {
     hand.letGo();
     secondHand.letGo();
     timeline.setOpen(true);
+}
+
+void PlayParts::lookAt(std::uint64_t frame) {
+    if (!run.building()) {
+        lookAtPast();
+        timeline.seek(frame);
+    }
+}
+
+void PlayParts::askWhy() {
+    auto const selected = placing.selected();
+    ObjectId object = picking.hovered();
+    if (!object.valid()) {
+        object = selected ? session.objectOf(*selected) : inspector.object(session);
+    }
+    if (object.valid() && !run.building()) {
+        why.askObject(session.world().store().nameOf(object), timeline.frame());
+    } else {
+        why.askNextGoal();
+    }
+    inspector.close();
 }
 
 void PlayParts::continueHere() {
@@ -180,6 +207,7 @@ void PlayParts::load(Solution const& solution) {
     group.reset();
     wires.reset();
     inspector.close();
+    why.close();
     session.load(solution);
     newWorld();
     context.toasts.add(textWith("solutions.loaded", solution.name), render::ToastKind::News, 5);
@@ -191,6 +219,7 @@ void PlayParts::restart() {
     group.reset();
     wires.reset();
     inspector.close();
+    why.close();
     session.putAllBack();
     hintsShown = 0;
     lesson.restart();

@@ -25,6 +25,7 @@
 #include "game/ui/play/view/sound_view.hpp"
 #include "game/ui/play/view/spark_view.hpp"
 #include "game/ui/play/view/squash_view.hpp"
+#include "game/ui/play/why/why_panel.hpp"
 #include "game/ui/shared/screen.hpp"
 #include "game/ui/shared/ui_context.hpp"
 #include "game/ui/tools/group_tool.hpp"
@@ -80,6 +81,7 @@ struct PlayParts {
     std::shared_ptr<WhatIfTool> const whatIfTool; ///< never null
     std::vector<int> goalCounts; ///< how often each goal needs something, see goal_counts.hpp
     LevelText said;              ///< what the level says
+    WhyPanel why;
     LevelAudio audio;
     TouchSounds touches;
     RunControl run;
@@ -122,8 +124,12 @@ struct PlayParts {
     [[nodiscard]] World const& shownWorld() const { return timeline.world(); }
     /// How far the display is between the last two frames, 0 to 1.
     [[nodiscard]] double alpha() const { return timeline.looksBack() ? 1 : run.alpha(); }
+    /// Asks why, about the object that is selected or pointed at, or else about a goal.
+    void askWhy();
     /// Pauses, so that the past can be looked at, and shows the timeline.
     void lookAtPast();
+    /// Shows a moment of the run, if there is a run.
+    void lookAt(std::uint64_t frame);
     /// Lets the run go on from the frame of the past that is shown; it is computed again up to there.
     void continueHere();
     /// Shows the wire falling that the hand has just cut, if it has.

@@ -113,6 +113,7 @@ std::optional<ScreenRequest> PlayScreen::update(double seconds) {
     parts_.pointer =
         parts_.keyPointer.instead(mouse, parts_.camera(), isHeld(context.input, context.keys, "act"));
     parts_.allBack.pass(seconds);
+    parts_.why.pass();
     if (!parts_.run.building()) {
         parts_.allBack.forget();
     }
@@ -217,7 +218,7 @@ bool PlayScreen::still() const {
     return sinceStep_ > ringsOut && !celebrates && !moves && !parts_.lesson.moving() &&
            !parts_.timeline.moving() && !parts_.whatIf->moving() && !parts_.squash.moving() &&
            !parts_.cuts.moving() && !parts_.secondPointer.moving() && parts_.sparks.sparks().empty() &&
-           !parts_.allBack.waiting() && !parts_.hasMods() && !parts_.budget.budget();
+           !parts_.allBack.waiting() && !parts_.hasMods() && !parts_.budget.budget() && !parts_.why.busy();
 }
 
 bool PlayScreen::keepsPicture() const {

@@ -54,6 +54,7 @@ public:
     [[nodiscard]] ModsPanel const& mods() const { return parts_.modsPanel; }
     [[nodiscard]] Timeline& timeline() { return parts_.timeline; }
     [[nodiscard]] WhatIfView const& whatIf() const { return *parts_.whatIf; }
+    [[nodiscard]] WhyPanel const& why() const { return parts_.why; }
     [[nodiscard]] Lesson const& lesson() const { return parts_.lesson; }
     [[nodiscard]] Celebration const& celebration() const { return parts_.celebration; }
     /// nullptr: the level names no mods.

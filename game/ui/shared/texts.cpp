@@ -1,5 +1,6 @@
 #include "game/ui/shared/texts.hpp"
 
+#include "game/ui/shared/catalogue_in_use.hpp"
 #include "puzzle/data/game_data.hpp"
 
 #include <algorithm>
@@ -142,6 +143,10 @@ std::string shownArea(std::string const& called) {
 
 Noun theObject(std::string const& object) {
     return speechInUse().the(object);
+}
+
+Catalogue const* catalogueInUse() {
+    return inUse().speech == nullptr ? nullptr : &inUse().texts;
 }
 
 Speech const& speechInUse() {

@@ -76,6 +76,15 @@ void walkStudies(Player& player, Look const& look) {
     look("edit-search");
 }
 
+/// Asks about the goal, and looks at the first step of the answer.
+void askWhy(Player& player) {
+    player.key(SDLK_y, KMOD_LSHIFT);
+    player.play().why().wait();
+    player.frames(2);
+    player.key(SDLK_d);
+    restPointer(player);
+}
+
 } // namespace
 
 void walkMenus(Player& player, Look const& look) {
@@ -129,6 +138,8 @@ void walkLevel(Player& player, Look const& look) {
     ASSERT_TRUE(player.session().solved());
     player.frames(60); // the seal has come to rest
     look("level-solved");
+    askWhy(player);
+    look("level-why");
 }
 
 void walkOthers(Player& player, Look const& look) {
@@ -161,6 +172,11 @@ void walkOthers(Player& player, Look const& look) {
     player.open(levelsFolder() / "2-electricity/1-both-gaps.json");
     restPointer(player);
     look("level-wires");
+    player.key(SDLK_SPACE);
+    player.simulate(40);
+    player.key(SDLK_p);
+    askWhy(player);
+    look("level-why-not");
     player.open(levelsFolder() / "5-everything/2-the-gate.json");
     restPointer(player);
     look("level-gate");

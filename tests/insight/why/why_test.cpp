@@ -1,6 +1,8 @@
 // The chains that are told of the thesis's experiments and of levels are those that their accounts name.
 #include "insight/why/words.hpp"
+#include "physics/dynamics/properties/overlap.hpp"
 #include "runtime/level/read/read_level.hpp"
+#include "runtime/placement.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -149,6 +151,75 @@ TEST(Why, ItCanBeCancelled) {
     Answer const answer = why(runs, {}, {}, options);
     EXPECT_FALSE(answer.complete);
     EXPECT_LE(answer.runs, 2U);
+}
+
+TEST(Why, TheNumberOfThreadsDoesNotMatter) {
+    LevelFile const level = whyLevel("first/1-first-contact");
+    LevelRuns const runs(whyData(), level);
+    std::string first;
+    for (int const threads : {1, 2, 8}) {
+        AskOptions options;
+        options.frames = 900;
+        options.threads = threads;
+        Answer const answer = why(runs, *level.findSolution("the spanner"), {}, options);
+        std::string const made = toJson(answer, "", "", Tongue()).dump();
+        first = first.empty() ? made : first;
+        EXPECT_EQ(made, first) << threads;
+    }
+}
+
+TEST(Why, ItEndsSoonWhenItIsToldTo) {
+    LevelRuns const runs(whyData(), whyLevel("experiments/2-doorbell"));
+    AskOptions options;
+    options.frames = 300;
+    int asked = 0;
+    options.stop = [&] { return ++asked == 20; };
+    Answer const answer = why(runs, {}, {}, options);
+    EXPECT_FALSE(answer.complete);
+    EXPECT_FALSE(answer.happened);
+    EXPECT_TRUE(answer.chain.empty());
+    EXPECT_EQ(asked, 20) << "a frame each";
+}
+
+TEST(Why, WhatWasSeenInAnUntracedRunCanBeAskedAbout) {
+    Question question;
+    question.happening = Happening{60, {"electromagnet"}, {StepKind::on, StepKind::magnetOn}};
+    Answer const answer = whyIn("experiments/1-switched-electromagnet", "", question);
+    ASSERT_TRUE(answer.happened);
+    expectSound(answer);
+    EXPECT_EQ(answer.chain.back().step.kind, StepKind::magnetOn);
+    EXPECT_TRUE(confirmedAt(answer, placeOf(answer, StepKind::contact, {"object 1", "switch"})));
+    question.happening->objects = {"metal object"};
+    EXPECT_THROW((void)whyIn("experiments/1-switched-electromagnet", "", question), NothingHappened);
+}
+
+// Where the step happened, at its moment: that of the contact lies on both, and not where they began.
+TEST(Why, StepsHappenedWhereTheirObjectsWereThen) {
+    Answer const answer = whyIn("experiments/1-switched-electromagnet", "");
+    std::size_t const one = placeOf(answer, StepKind::contact, {"object 1", "switch"});
+    ASSERT_LT(one, answer.chain.size());
+    ChainStep const& step = answer.chain[one];
+    Vec2 place;
+    double gap = 1;
+    RunObserver observer;
+    LevelRuns const runs(whyData(), whyLevel("experiments/1-switched-electromagnet"));
+    observer.end = [&](LevelRun const& run) {
+        Store const& store = run.world().store();
+        auto const shapeOf = [&](ObjectId id) {
+            return PlacedShape{
+                *run.world().find<Shape>(id), run.world().find<Position>(id)->value,
+                run.world().find<Rotation>(id) == nullptr ? 0 : run.world().find<Rotation>(id)->angle};
+        };
+        ShapeGap const between = gapBetween(shapeOf(store.find("object 1")), shapeOf(store.find("switch")));
+        gap = between.width;
+        place = between.a;
+    };
+    (void)runs.run({}, {.frames = step.step.frame, .stopWhenSolved = false}, observer);
+    EXPECT_LT(gap, 0.01);
+    EXPECT_LT(length(step.at - place), 0.01);
+    EXPECT_GT(length(step.at - answer.facts.places.at("switch")) +
+                  length(step.at - answer.facts.places.at("object 1")),
+              0.01);
 }
 
 TEST(Why, TheJsonHasTheKeysThatOtherProgramsRelyOn) {

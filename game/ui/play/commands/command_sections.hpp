@@ -13,6 +13,7 @@ namespace trembler::ui {
 [[nodiscard]] std::span<Command<PlayParts> const> runCommands();
 /// The run that was recorded: looking back, going on from there.
 [[nodiscard]] std::span<Command<PlayParts> const> timelineCommands();
+[[nodiscard]] std::span<Command<PlayParts> const> whyCommands();
 /// Taking, turning, moving and choosing parts, and putting them back.
 [[nodiscard]] std::span<Command<PlayParts> const> buildingCommands();
 /// Undo, redo, and putting all parts back.

@@ -10,8 +10,9 @@ namespace {
 std::vector<Command<PlayParts>> joinedSections() {
     std::vector<Command<PlayParts>> table;
     // The page of keys lists the commands in this order.
-    for (auto const& section : {runCommands(), timelineCommands(), buildingCommands(), undoingCommands(),
-                                lookingCommands(), toolCommands(), programCommands(), levelCommands()}) {
+    for (auto const& section :
+         {runCommands(), timelineCommands(), whyCommands(), buildingCommands(), undoingCommands(),
+          lookingCommands(), toolCommands(), programCommands(), levelCommands()}) {
         table.insert(table.end(), section.begin(), section.end());
     }
     return table;

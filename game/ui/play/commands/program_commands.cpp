@@ -22,6 +22,8 @@ void back(PlayParts& parts) {
         parts.hand.setCutting(false);
     } else if (parts.wires.cancel() || parts.placing.cancel() || parts.group.cancel()) {
         return;
+    } else if (parts.why.open()) {
+        parts.why.stopOrClose();
     } else if (parts.inspector.open()) {
         parts.inspector.close();
     } else if (parts.whatIfTool->cutting()) {

@@ -143,6 +143,7 @@ void RunControl::beginAgain(Playback done, std::uint64_t frame) {
 }
 
 void RunControl::stop() {
+    events_.stopping();
     target_.reset();
     audio_.leave();
     session_.stop();

@@ -19,7 +19,8 @@ struct RunEvents {
     std::function<void()> newWorld;   ///< the session has another world
     std::function<void()> beforeStep; ///< directly before each Session::step
     std::function<void()> afterStep;
-    std::function<void()> stopped; ///< the run has ended; directly before newWorld
+    std::function<void()> stopping; ///< the run is about to end
+    std::function<void()> stopped;  ///< the run has ended; directly before newWorld
 };
 
 /// Needs no window. Window thread only.

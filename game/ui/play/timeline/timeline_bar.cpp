@@ -157,7 +157,7 @@ std::string wordsOf(Mark const& mark) {
     return names.empty() ? name : name + ": " + names;
 }
 
-std::optional<std::uint64_t> drawTimelineBar(CommandButtons& buttons, Timeline const& timeline) {
+TimelineWish drawTimelineBar(CommandButtons& buttons, Timeline const& timeline) {
     Layout& layout = buttons.layout();
     float const width = ImGui::GetIO().DisplaySize.x / theme().scale - 2 * cardGap;
     layout.beginCard(
@@ -180,7 +180,12 @@ std::optional<std::uint64_t> drawTimelineBar(CommandButtons& buttons, Timeline c
     drawTrack(list, timeline, track);
     Mark const* const mark = drawMarks(list, timeline, track, hovered && !(held && !pressed));
     drawKnob(list, timeline, track);
+    TimelineWish wish;
     std::optional<std::uint64_t> wanted;
+    float const strayed = std::sqrt(ImGui::GetIO().MouseDragMaxDistanceSqr[ImGuiMouseButton_Left]);
+    if (ImGui::IsItemDeactivated() && mark != nullptr && strayed < ImGui::GetIO().MouseDragThreshold) {
+        wish.why = *mark;
+    }
     if (held) {
         wanted = pressed && mark != nullptr ? mark->frame : track.frameAt(ImGui::GetIO().MousePos.x);
         if (mark != nullptr && !ImGui::IsMouseDragging(ImGuiMouseButton_Left)) {
@@ -206,7 +211,10 @@ std::optional<std::uint64_t> drawTimelineBar(CommandButtons& buttons, Timeline c
         buttons.icon(id);
     }
     layout.endCard();
-    return wanted && *wanted != timeline.frame() ? wanted : std::nullopt;
+    if (wanted && *wanted != timeline.frame()) {
+        wish.frame = wanted;
+    }
+    return wish;
 }
 
 } // namespace trembler::ui

@@ -13,9 +13,14 @@ inline constexpr float timelineRow = 50;
 inline constexpr float trackFromLeft = 3 * 44;
 inline constexpr float trackFromRight = 4 * 44 + 112;
 
-/// Draws the card "timeline" and lets the mouse drag along the track. Returns the frame that the player
-/// points at, if it is another one than is shown. Between Gui::beginFrame and endFrame.
-[[nodiscard]] std::optional<std::uint64_t> drawTimelineBar(CommandButtons& buttons, Timeline const& timeline);
+/// What the player asks of the timeline.
+struct TimelineWish {
+    std::optional<std::uint64_t> frame; ///< to be shown; another one than is shown
+    std::optional<insight::Mark> why;   ///< was clicked
+};
+
+/// Draws the card "timeline" and lets the mouse drag along the track. Between Gui::beginFrame and endFrame.
+[[nodiscard]] TimelineWish drawTimelineBar(CommandButtons& buttons, Timeline const& timeline);
 
 /// What happened, for people: "Contact: switch, left contact".
 [[nodiscard]] std::string wordsOf(insight::Mark const& mark);

@@ -28,6 +28,7 @@ struct Controlled {
                    {.newWorld = [this] { callbacks += "n"; },
                     .beforeStep = [this] { callbacks += "b"; },
                     .afterStep = [this] { callbacks += "a"; },
+                    .stopping = [] {},
                     .stopped = [this] { callbacks += "s"; }}};
 
     void pictures(int count, double seconds = 1.0 / 60, bool oneFrame = false, bool fastHeld = false) {

@@ -1,0 +1,19 @@
+// What an answer tells of, drawn over the scene.
+#pragma once
+
+#include "game/ui/play/why/why_panel.hpp"
+#include "render/draw/canvas.hpp"
+
+#include <vector>
+
+namespace trembler::ui {
+
+/// The objects in `world` of the step that is looked at; of a miss, those that it is about.
+[[nodiscard]] std::vector<ObjectId> objectsOfStep(WhyPanel const& panel, World const& world);
+/// Rings where the steps happened, with arrows from causes to effects; of a miss, dashed lines along what was
+/// missing. Before Canvas::end.
+void drawWhy(render::Canvas& canvas, WhyPanel const& panel);
+/// The numbers of the steps, and what was missing. Between Gui::beginFrame and endFrame.
+void drawWhyWords(render::Camera const& camera, double uiScale, WhyPanel const& panel);
+
+} // namespace trembler::ui

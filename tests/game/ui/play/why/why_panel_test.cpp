@@ -1,0 +1,289 @@
+// A newcomer asks why, by mouse, keyboard and gamepad, and gets the answer of insight/why.
+#include "game/ui/app/settings_page.hpp"
+#include "game/ui/play/why/why_panel.hpp"
+#include "tests/game/ui/player.hpp"
+#include "tests/game/ui/tidy.hpp"
+#include "tests/game/ui/virtual_pad.hpp"
+
+namespace trembler::ui::test {
+namespace why_panel_test {
+namespace {
+
+auto const firstLevel = levelsFolder() / "first/1-first-contact.json";
+auto const magnet = levelsFolder() / "experiments/1-switched-electromagnet.json";
+
+/// A bar over the gap: solved.
+void solve(Player& player) {
+    player.open(firstLevel);
+    player.drag(player.item("part steel bar"), player.at({-1.8, 1.2}));
+    player.key(SDLK_SPACE);
+    player.simulate(400);
+    ASSERT_TRUE(player.session().solved());
+    player.frames(60);
+}
+
+/// Nothing over the gap.
+void fail(Player& player) {
+    player.open(firstLevel);
+    player.key(SDLK_SPACE);
+    player.simulate(60);
+    player.key(SDLK_p);
+    player.frames(2);
+}
+
+void waitForAnswer(Player& player) {
+    player.play().why().wait();
+    player.frames(3);
+}
+
+/// What insight/why says of the run.
+insight::Answer answerTo(Player& player, insight::Question const& question) {
+    insight::LevelRuns const runs(gameData(), player.session().level());
+    insight::AskOptions options;
+    options.frames = player.session().world().frame();
+    return why(runs, player.session().record(""), question, options);
+}
+
+insight::Question aboutGoal(Player& player, std::size_t goal) {
+    insight::Question question;
+    question.goal = player.session().judge().status()[goal].id;
+    return question;
+}
+
+void expectSame(insight::Answer const& shown, insight::Answer const& expected) {
+    ASSERT_EQ(shown.happened, expected.happened);
+    ASSERT_EQ(shown.chain.size(), expected.chain.size());
+    for (std::size_t i = 0; i < shown.chain.size(); ++i) {
+        EXPECT_EQ(shown.chain[i].step.what, expected.chain[i].step.what);
+        EXPECT_EQ(shown.chain[i].step.objects, expected.chain[i].step.objects);
+        EXPECT_EQ(shown.chain[i].step.frame, expected.chain[i].step.frame);
+        EXPECT_EQ(shown.chain[i].step.because, expected.chain[i].step.because);
+        EXPECT_EQ(shown.chain[i].proof, expected.chain[i].proof);
+    }
+    ASSERT_EQ(shown.nearest.has_value(), expected.nearest.has_value());
+    if (shown.nearest) {
+        EXPECT_EQ(shown.nearest->nearest.frame, expected.nearest->nearest.frame);
+        EXPECT_EQ(shown.nearest->nearest.by, expected.nearest->nearest.by);
+    }
+}
+
+TEST(WhyPanel, SaysWhyAGoalIsMetAndShowsEachStep) {
+    Player player;
+    solve(player);
+    EXPECT_FALSE(player.showsCard("why"));
+    ASSERT_TRUE(player.shows("why goal 1"));
+    player.clickItem("why goal 1");
+    waitForAnswer(player);
+    ASSERT_TRUE(player.showsCard("why"));
+    expectTidy(player, "an answer");
+    insight::Answer const* const answer = player.play().why().answer();
+    ASSERT_NE(answer, nullptr);
+    EXPECT_TRUE(answer->confirmed);
+    expectSame(*answer, answerTo(player, aboutGoal(player, 0)));
+    player.look("why-answer");
+    // The bar was laid there; a click shows its contact.
+    std::vector<std::string> const lines = player.play().why().lines();
+    ASSERT_EQ(lines.size(), answer->chain.size());
+    EXPECT_EQ(lines.front(), "You laid steel bar 1 there before the start.");
+    std::size_t contact = 0;
+    while (answer->chain[contact].step.kind != insight::StepKind::contact) {
+        ++contact;
+        ASSERT_LT(contact, lines.size());
+    }
+    std::uint64_t const moment = answer->chain[contact].step.frame;
+    player.clickItem("why step " + std::to_string(contact + 1));
+    EXPECT_TRUE(player.play().timeline().looksBack());
+    EXPECT_EQ(player.play().timeline().frame(), moment);
+    EXPECT_EQ(player.play().why().step(), contact);
+    player.look("why-step");
+    player.clickItem("close why");
+    player.frames(2);
+    EXPECT_FALSE(player.showsCard("why"));
+}
+
+TEST(WhyPanel, SaysHowNearlyAGoalWasMet) {
+    Player player;
+    fail(player);
+    player.clickItem("why goal 1");
+    waitForAnswer(player);
+    expectTidy(player, "a miss");
+    insight::Answer const* const answer = player.play().why().answer();
+    ASSERT_NE(answer, nullptr);
+    EXPECT_FALSE(answer->happened);
+    expectSame(*answer, answerTo(player, aboutGoal(player, 0)));
+    ASSERT_TRUE(answer->nearest);
+    EXPECT_EQ(answer->nearest->nearest.lack, insight::Lack::gap);
+    std::vector<std::string> const lines = player.play().why().lines();
+    ASSERT_GE(lines.size(), 2U);
+    EXPECT_NE(lines[1].find("between the left contact and the right contact"), std::string::npos) << lines[1];
+    player.look("why-not");
+    player.clickItem("why step 2");
+    EXPECT_EQ(player.play().timeline().frame(), answer->nearest->nearest.frame);
+}
+
+TEST(WhyPanel, IsAskedByKeys) {
+    Player player;
+    solve(player);
+    player.moveTo({2, 2});
+    player.key(SDLK_y, KMOD_LSHIFT);
+    waitForAnswer(player);
+    insight::Answer const* const answer = player.play().why().answer();
+    ASSERT_NE(answer, nullptr);
+    ASSERT_TRUE(answer->happened);
+    for (std::size_t step = 0; step < answer->chain.size(); ++step) {
+        player.key(SDLK_d);
+        EXPECT_EQ(player.play().why().step(), step);
+        EXPECT_EQ(player.play().timeline().frame(), answer->chain[step].step.frame);
+    }
+    player.key(SDLK_a);
+    EXPECT_EQ(player.play().why().step(), answer->chain.size() - 2);
+    player.key(SDLK_ESCAPE);
+    player.frames(2);
+    EXPECT_FALSE(player.showsCard("why"));
+    EXPECT_FALSE(player.app().menu().isOpen());
+}
+
+TEST(WhyPanel, SaysWhyAnObjectIsAsItIs) {
+    Player player;
+    player.open(magnet);
+    player.key(SDLK_SPACE);
+    player.simulate(64);
+    player.key(SDLK_p);
+    World const& world = player.session().world();
+    player.moveTo(player.at(world.find<Position>(world.store().find("electromagnet"))->value));
+    player.frames(2);
+    player.key(SDLK_y);
+    waitForAnswer(player);
+    insight::Answer const* const answer = player.play().why().answer();
+    ASSERT_NE(answer, nullptr);
+    insight::Question question;
+    question.object = "electromagnet";
+    question.at = static_cast<double>(world.frame()) * frameDuration;
+    expectSame(*answer, answerTo(player, question));
+    EXPECT_TRUE(answer->happened);
+}
+
+TEST(WhyPanel, IsAskedByGamepad) {
+    Player player;
+    solve(player);
+    VirtualPad const pad;
+    ASSERT_TRUE(pad.works());
+    player.frames(2);
+    pad.press(player, SDL_CONTROLLER_BUTTON_BACK);
+    waitForAnswer(player);
+    insight::Answer const* const answer = player.play().why().answer();
+    ASSERT_NE(answer, nullptr);
+    EXPECT_TRUE(answer->happened);
+    pad.press(player, SDL_CONTROLLER_BUTTON_RIGHTSTICK);
+    EXPECT_EQ(player.play().why().step(), 0U);
+    pad.press(player, SDL_CONTROLLER_BUTTON_B);
+    player.frames(2);
+    EXPECT_FALSE(player.showsCard("why"));
+}
+
+TEST(WhyPanel, AnswersAboutAMarkOfTheTimeline) {
+    Player player;
+    player.open(magnet);
+    player.key(SDLK_SPACE);
+    player.simulate(64);
+    player.key(SDLK_p);
+    player.key(SDLK_k);
+    player.frames(3);
+    auto const& marks = player.play().timeline().marks().all();
+    auto const on = std::find_if(marks.begin(), marks.end(), [](insight::Mark const& mark) {
+        return mark.kind == insight::MarkKind::on;
+    });
+    ASSERT_NE(on, marks.end());
+    insight::Mark const mark = *on;
+    auto const track = player.layout().item("timeline track");
+    ASSERT_TRUE(track);
+    double const scale = static_cast<double>(window().uiScale());
+    double const left = track->low.x + 11.5 * scale; // as timeline_bar.cpp places it
+    double const right = track->high.x - 11.5 * scale;
+    double const share =
+        static_cast<double>(mark.frame) / static_cast<double>(player.play().timeline().last());
+    player.click({left + share * (right - left), track->low.y + 0.3 * (track->high.y - track->low.y)});
+    ASSERT_TRUE(player.play().why().open());
+    waitForAnswer(player);
+    insight::Answer const* const answer = player.play().why().answer();
+    ASSERT_NE(answer, nullptr);
+    EXPECT_TRUE(answer->happened);
+    EXPECT_EQ(answer->chain.back().step.frame, mark.frame);
+    player.look("why-mark");
+}
+
+TEST(WhyPanel, TheLastRunCanBeAskedAboutWhileBuilding) {
+    Player player;
+    player.open(firstLevel);
+    player.frames(2);
+    EXPECT_FALSE(player.shows("why goal 1"));
+    player.key(SDLK_SPACE);
+    player.simulate(60);
+    player.key(SDLK_SPACE);
+    player.frames(2);
+    ASSERT_EQ(player.session().mode(), SessionMode::building);
+    player.clickItem("why goal 1");
+    waitForAnswer(player);
+    ASSERT_NE(player.play().why().answer(), nullptr);
+    EXPECT_FALSE(player.play().why().answer()->happened);
+    expectTidy(player, "while building");
+    player.key(SDLK_SPACE); // another run: it was not about that
+    player.simulate(16);
+    EXPECT_FALSE(player.play().why().open());
+}
+
+TEST(WhyPanel, TheWorldGoesOnMeanwhileAndTheQuestionCanBeStopped) {
+    Player player;
+    fail(player);
+    player.key(SDLK_p);
+    std::uint64_t const before = player.session().world().frame();
+    player.key(SDLK_y, KMOD_LSHIFT);
+    EXPECT_TRUE(player.play().why().open());
+    player.frames(5);
+    EXPECT_GT(player.session().world().frame(), before);
+    player.clickItem("close why");
+    waitForAnswer(player);
+    EXPECT_FALSE(player.play().why().busy());
+}
+
+TEST(WhyPanel, SpeaksGerman) {
+    Player player;
+    changeSettings(player.app().context(), {.reducedMotion = true, .language = "de"});
+    solve(player);
+    player.clickItem("why goal 1");
+    waitForAnswer(player);
+    std::vector<std::string> const lines = player.play().why().lines();
+    ASSERT_FALSE(lines.empty());
+    EXPECT_EQ(lines.front().find("Du hast "), 0U) << lines.front();
+    EXPECT_NE(lines.front().find("vor dem Start dorthin gelegt."), std::string::npos);
+    expectTidy(player, "German");
+    player.look("why-german");
+}
+
+TEST(WhyPanel, FitsInEveryWindow) {
+    for (render::Size const size : {render::Size{800, 600}, render::Size{1024, 768}, render::Size{1280, 720},
+                                    render::Size{1920, 1080}, render::Size{3840, 2160}}) {
+        for (float const scale : {0.75F, 1.F, 1.6F}) {
+            Player player(size);
+            changeSettings(player.app().context(),
+                           {.uiScale = scale, .reducedMotion = true, .language = "de"});
+            solve(player);
+            player.key(SDLK_y, KMOD_LSHIFT);
+            waitForAnswer(player);
+            player.key(SDLK_d);
+            player.frames(4);
+            std::string const where = "why at " + std::to_string(size.width) + ", letters " +
+                                      std::to_string(std::lround(100 * scale));
+            EXPECT_TRUE(player.showsCard("why")) << where;
+            expectTidy(player, where);
+            if (size.width == 800) {
+                player.look("why-800-" + std::to_string(std::lround(100 * scale)));
+            }
+        }
+    }
+    window().setUiScaleRequest(1.F);
+}
+
+} // namespace
+} // namespace why_panel_test
+} // namespace trembler::ui::test

@@ -1,0 +1,157 @@
+// Of the thesis's four experiments and of what a player may do in them: the chain that is told is that of the
+// thesis's accounts (docs/account.md).
+#include "insight/why/words.hpp"
+#include "runtime/level/read/read_level.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace trembler::insight {
+namespace why_experiments {
+namespace {
+
+GameData const& experimentData() {
+    static GameData const data;
+    return data;
+}
+
+LevelFile experiment(std::string const& name) {
+    return loadLevel(experimentData().registry,
+                     experimentData().home / "levels/experiments" / (name + ".json"));
+}
+
+Answer answerIn(std::string const& name, std::string const& solution, Question const& question = {},
+                std::uint64_t frames = 0) {
+    LevelFile const level = experiment(name);
+    LevelRuns const runs(experimentData(), level);
+    Solution const& asked = *level.findSolution(solution);
+    AskOptions options;
+    options.frames = frames > 0 ? frames : LevelRuns::framesFor(asked);
+    return why(runs, asked, question, options);
+}
+
+Question ofObject(std::string const& object, double at) {
+    Question question;
+    question.object = object;
+    question.at = at;
+    return question;
+}
+
+/// The place of a step with all these objects; the chain's length if there is none.
+std::size_t placeIn(Answer const& answer, StepKind kind, std::vector<std::string> const& objects) {
+    auto const at = std::find_if(answer.chain.begin(), answer.chain.end(), [&](ChainStep const& one) {
+        return one.step.kind == kind && std::all_of(objects.begin(), objects.end(), [&](auto const& name) {
+                   auto const& all = one.step.objects;
+                   return std::find(all.begin(), all.end(), name) != all.end();
+               });
+    });
+    return static_cast<std::size_t>(at - answer.chain.begin());
+}
+
+bool isSure(Answer const& answer, std::size_t place) {
+    return place < answer.chain.size() &&
+           (answer.chain[place].proof == Proof::confirmed || answer.chain[place].proof == Proof::together);
+}
+
+std::string told(Answer const& answer) {
+    std::string all;
+    for (std::string const& sentence : sentencesOf(answer, answer.goal, Tongue())) {
+        all += sentence + " ";
+    }
+    return all;
+}
+
+void expectEarlierCauses(Answer const& answer) {
+    for (std::size_t i = 0; i < answer.chain.size(); ++i) {
+        for (std::size_t const cause : answer.chain[i].step.because) {
+            ASSERT_LT(cause, i);
+            EXPECT_LE(answer.chain[cause].step.frame, answer.chain[i].step.frame);
+        }
+    }
+}
+
+/// All of these are told and sure, each not later than the next.
+void expectInOrder(Answer const& answer,
+                   std::vector<std::pair<StepKind, std::vector<std::string>>> const& account) {
+    expectEarlierCauses(answer);
+    std::uint64_t before = 0;
+    for (auto const& [kind, objects] : account) {
+        std::size_t const place = placeIn(answer, kind, objects);
+        ASSERT_LT(place, answer.chain.size()) << objects.front() << ": " << told(answer);
+        EXPECT_TRUE(isSure(answer, place)) << objects.front();
+        EXPECT_GE(answer.chain[place].step.frame, before) << objects.front();
+        before = answer.chain[place].step.frame;
+    }
+}
+
+// A spanner or a steel bar does what the switch does in the account, and was laid there.
+TEST(WhyExperiments, AnotherBridgeIsNamedInPlaceOfTheSwitch) {
+    for (std::string const bridge : {"spanner", "steel bar"}) {
+        Answer const answer = answerIn("1-switched-electromagnet", "a " + bridge + " in its place");
+        ASSERT_TRUE(answer.happened);
+        expectInOrder(answer, {{StepKind::placed, {bridge + " 1"}},
+                               {StepKind::contact, {bridge + " 1", "object 1"}},
+                               {StepKind::on, {"electromagnet"}},
+                               {StepKind::magnetOn, {"electromagnet"}},
+                               {StepKind::pull, {"metal object"}},
+                               {StepKind::contact, {"electromagnet", "metal object"}}});
+        EXPECT_TRUE(isSure(answer, placeIn(answer, StepKind::contact, {bridge + " 1", "object 2"})));
+        EXPECT_EQ(placeIn(answer, StepKind::contact, {"switch"}), answer.chain.size()) << told(answer);
+    }
+}
+
+// Without a way for the current the ball stays where it is, and both things that are missing are told.
+TEST(WhyExperiments, ACutWireIsWhyNothingIsLifted) {
+    Answer const answer = answerIn("1-switched-electromagnet", "cut the wire before the switch falls");
+    EXPECT_FALSE(answer.happened);
+    ASSERT_TRUE(answer.nearest);
+    EXPECT_EQ(answer.nearest->nearest.lack, Lack::distance);
+    ASSERT_EQ(answer.nearest->nearest.besides.size(), 1U);
+    EXPECT_EQ(answer.nearest->nearest.besides.front().lack, Lack::gap);
+    EXPECT_NE(told(answer).find("No current flowed through the electromagnet"), std::string::npos);
+}
+
+// Experiment II: the switch closes the circuit, the magnet pulls the striker, which leaves its contact.
+TEST(WhyExperiments, TheDoorbellRingsBecauseOfItsSwitch) {
+    Answer const answer = answerIn("2-doorbell", "a copper clip on the contact");
+    ASSERT_TRUE(answer.happened);
+    expectInOrder(answer, {{StepKind::contact, {"object 1", "switch"}},
+                           {StepKind::on, {"electromagnet"}},
+                           {StepKind::magnetOn, {"electromagnet"}},
+                           {StepKind::pull, {"striker"}},
+                           {StepKind::contact, {"bell", "striker"}}});
+}
+
+TEST(WhyExperiments, AWedgeIsWhyTheBellIsSilent) {
+    Answer const answer = answerIn("2-doorbell", "a wedge in the way");
+    EXPECT_FALSE(answer.happened);
+    std::string const words = told(answer);
+    EXPECT_NE(words.find("The striker came within"), std::string::npos) << words;
+    EXPECT_NE(words.find("between the contact and the striker"), std::string::npos) << words;
+}
+
+// Experiment III: "the sliding contact falls onto a spoke and closes a circuit through it", and opens it.
+TEST(WhyExperiments, TheMotorsMagnetIsSwitchedByTheSlidingContact) {
+    Answer const off = answerIn("3-electric-motor", "hands off", ofObject("EM-North", 1), 120);
+    ASSERT_TRUE(off.happened);
+    expectInOrder(off, {{StepKind::contact, {"sliding contact", "spoke 1"}},
+                        {StepKind::off, {"EM-North"}},
+                        {StepKind::magnetOff, {"EM-North"}}});
+}
+
+// Experiment IV: what floats is in the water.
+TEST(WhyExperiments, TheRaftsFloatsAreInTheWater) {
+    for (std::string const object : {"flotation device A", "flotation device B"}) {
+        Answer const answer = answerIn("4-raft", "hands off", ofObject(object, 3));
+        ASSERT_TRUE(answer.happened);
+        expectEarlierCauses(answer);
+        EXPECT_LT(placeIn(answer, StepKind::liquid, {object, "water body"}), answer.chain.size())
+            << told(answer);
+    }
+}
+
+} // namespace
+} // namespace why_experiments
+} // namespace trembler::insight
