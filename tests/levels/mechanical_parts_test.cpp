@@ -52,7 +52,7 @@ TEST(MechanicalParts, CogsMeshInEveryDirectionAndInAChain) {
 
 TEST(MechanicalParts, CurrentFlowsThroughATrainOfCogsIfAllAreMetal) {
     for (double const speed : {0.0, 60.0}) {
-        for (double const away : {-0.004, 0.0, 0.004}) { // m; a player can place them no closer
+        for (double const away : {-0.02, 0.0, 0.02}) {
             for (bool const metal : {true, false}) {
                 PartTrial trial;
                 trial.put("battery +", "plus", {-3, 2})

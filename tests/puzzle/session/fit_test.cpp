@@ -25,5 +25,17 @@ TEST_F(Fit, IgnoresObjectsThatAreOnlyBehind) {
     EXPECT_FALSE(session().check({"wooden wedge", free, 0, ""}).ok) << "the board now collides with it";
 }
 
+TEST_F(Fit, LetsTheContactRingsOfCogsPressOnEachOther) {
+    for (double const away : {-0.02, 0.0, 0.02}) {
+        open("../first/7-turn-and-current.json");
+        Verdict const between = session().check({"large cog", {-0.5 + away, 1.6}, 0, ""});
+        EXPECT_TRUE(between.ok) << away << ": " << between.why;
+    }
+    Verdict const onTheTeeth = session().check({"large cog", {-0.6, 1.6}, 0, ""});
+    EXPECT_FALSE(onTheTeeth.ok) << "teeth give no way";
+    EXPECT_NE(onTheTeeth.why.find("driver"), std::string::npos) << onTheTeeth.why;
+    EXPECT_FALSE(session().check({"copper bar", at("driver"), 0, ""}).ok);
+}
+
 } // namespace
 } // namespace trembler
