@@ -8,6 +8,8 @@
 #include <array>
 #include <map>
 #include <string_view>
+#include <tuple>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -16,23 +18,26 @@ namespace trembler {
 /// A held call is an event only when it is new: "this will be done for every frame from now on and will not
 /// be mentioned again" (6.8.3). Later equal calls have the first one's id. Used while a trace is recorded, by
 /// one thread at a time for each chunk.
+///
+/// Most interactions hold the same calls in the same order in every apply, so each call is first compared
+/// with the one that followed in the last apply; only others are searched for.
 class CallTrace {
 public:
     /// Call at the beginning of an apply.
-    void begin() { newHeld_.assign(1, {}); }
-    /// Makes room for this number of chunks of the apply.
-    void widen(std::size_t chunks) { newHeld_.resize(std::max(chunks, newHeld_.size())); }
-    /// Call at the end of an apply: its held calls replace those of the last apply.
-    void end() {
-        held_.clear();
-        for (auto& chunk : newHeld_) {
-            held_.merge(chunk);
+    void begin() {
+        now_.resize(1);
+        for (Chunk& chunk : now_) {
+            chunk.clear();
         }
     }
+    /// Makes room for this number of chunks of the apply.
+    void widen(std::size_t chunks) { now_.resize(std::max(chunks, now_.size())); }
+    /// Call at the end of an apply: its held calls replace those of the last apply.
+    void end() { std::swap(last_, now_); }
     /// Call instead of end() if the apply has failed: nothing is held, and what will be is new.
     void forget() {
-        held_.clear();
-        newHeld_.clear();
+        last_.clear();
+        now_.clear();
     }
     /// The event of a call: a new one, or that of the same call in the last apply, or none.
     template <InteractionCall C>
@@ -44,16 +49,16 @@ public:
                     return {};
                 }
             }
-            HeldKey key{C::text.name, {objects.begin(), objects.end()}};
-            EventId id;
-            if (auto const known = held_.find(key); known != held_.end()) {
-                id = known->second;
-            } else if (auto const here = newHeld_[chunk].find(key); here != newHeld_[chunk].end()) {
-                id = here->second;
-            } else {
+            Key key;
+            key.call = C::text.name;
+            static_assert(std::tuple_size_v<std::remove_const_t<decltype(objects)>> <= mostObjects);
+            std::copy(objects.begin(), objects.end(), key.objects.begin());
+            EventId id = find(key, chunk);
+            if (id == EventId{}) {
                 id = sink.record(C::text.name, objects, std::array{cause});
+                now_[chunk].fresh.emplace(key, id);
             }
-            newHeld_[chunk].emplace(std::move(key), id);
+            now_[chunk].held.push_back({key, id});
             return id;
         } else {
             return sink.record(C::text.name, objects, std::array{cause});
@@ -61,10 +66,65 @@ public:
     }
 
 private:
-    using HeldKey = std::pair<std::string_view, std::vector<ObjectId>>;
+    static constexpr std::size_t mostObjects = 3; // that a call names
 
-    std::map<HeldKey, EventId> held_; // held calls of the last apply
-    std::vector<std::map<HeldKey, EventId>> newHeld_;
+    struct Key {
+        std::string_view call;
+        std::array<ObjectId, mostObjects> objects{};
+
+        friend bool operator==(Key const& a, Key const& b) {
+            return a.objects == b.objects && a.call == b.call;
+        }
+        friend bool operator<(Key const& a, Key const& b) {
+            return a.objects != b.objects ? a.objects < b.objects : a.call < b.call;
+        }
+    };
+    struct Held {
+        Key key;
+        EventId id;
+    };
+    struct Chunk {
+        std::vector<Held> held;       // in the order of the calls
+        std::map<Key, EventId> fresh; // those of them that are events of this apply
+        std::vector<Held> known;      // of the last apply, in order; made for the first search in it
+        bool searched = false;
+        std::size_t next = 0; // the place in the last apply of the call that is expected
+
+        void clear() {
+            held.clear();
+            fresh.clear();
+            known.clear();
+            searched = false;
+            next = 0;
+        }
+    };
+
+    /// The event of an equal call in the last apply, or in this chunk; none if it is new.
+    EventId find(Key const& key, std::size_t chunk) {
+        Chunk& now = now_[chunk];
+        if (chunk < last_.size() && now.next < last_[chunk].held.size() &&
+            last_[chunk].held[now.next].key == key) {
+            return last_[chunk].held[now.next++].id;
+        }
+        auto const before = [](Held const& held, Key const& sought) { return held.key < sought; };
+        if (!std::exchange(now.searched, true)) {
+            for (Chunk const& each : last_) {
+                now.known.insert(now.known.end(), each.held.begin(), each.held.end());
+            }
+            std::stable_sort(now.known.begin(), now.known.end(),
+                             [](Held const& a, Held const& b) { return a.key < b.key; });
+        }
+        auto const known = std::lower_bound(now.known.begin(), now.known.end(), key, before);
+        if (known != now.known.end() && known->key == key) {
+            ++now.next; // as if it had been in its place: others may still be
+            return known->id;
+        }
+        auto const here = now.fresh.find(key);
+        return here == now.fresh.end() ? EventId{} : here->second;
+    }
+
+    std::vector<Chunk> last_; // held calls of the last apply
+    std::vector<Chunk> now_;
 };
 
 } // namespace trembler

@@ -80,9 +80,9 @@ void World::setPeriod(std::string const& componentTitle, int period) {
     }
     bool const leftOut = period == 0;
     if (leftOut && named.front()->status.info->kind != ComponentKind::interaction) {
-        throw std::invalid_argument(
-            fmt::format("the period of '{}' is 0; expected 1 to 3600 frames: only interactions can be left out",
-                        componentTitle));
+        throw std::invalid_argument(fmt::format(
+            "the period of '{}' is 0; expected 1 to 3600 frames: only interactions can be left out",
+            componentTitle));
     }
     for (std::vector<Turn>& turns : turns_) {
         for (Turn& turn : turns) {

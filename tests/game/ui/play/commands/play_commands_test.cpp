@@ -102,6 +102,7 @@ TEST(Commands, UsualKeysStayAsTheyAre) {
                                                    {"names", "N"},
                                                    {"cut", "X"},
                                                    {"second-hand", "G"},
+                                                   {"what-if", "A"},
                                                    {"wire", "W"},
                                                    {"hint", "H"},
                                                    {"components", "C F3"},

@@ -159,7 +159,7 @@ TEST(WhatIf, PlotsShowBothRuns) {
     player.look("what-if-plots");
 }
 
-TEST(WhatIf, AGamepadDoesItAll) {
+TEST(WhatIf, AGamepadChoosesTurnsAndRemoves) {
     VirtualPad const pad;
     if (!pad.works()) {
         GTEST_SKIP() << "no gamepads here";
