@@ -150,6 +150,7 @@ Target findTarget(LevelRuns const& runs, Solution const& solution, Question cons
     std::unique_ptr<MissMeter> meter;
     bool const aboutGoal = !question.event && !question.object && !question.happening;
     bool stopped = false;
+    std::optional<std::string> nothing;
     std::string fault;
     RunObserver observer;
     observer.begin = [&](LevelRun const& run) {
@@ -179,7 +180,12 @@ Target findTarget(LevelRuns const& runs, Solution const& solution, Question cons
             }
         }
         if (!aboutGoal) {
-            describe(target, events, askedEvent(events, question, answer.facts, run.world()), answer.facts);
+            try {
+                describe(target, events, askedEvent(events, question, answer.facts, run.world()),
+                         answer.facts);
+            } catch (NothingHappened const& error) { // no fault of the run
+                nothing = error.what();
+            }
             return;
         }
         RunResult now;
@@ -206,6 +212,9 @@ Target findTarget(LevelRuns const& runs, Solution const& solution, Question cons
     RunResult const result = runs.run({solution}, limits, observer);
     if (result.fault) {
         throw std::invalid_argument(*result.fault);
+    }
+    if (nothing) {
+        throw NothingHappened(*nothing);
     }
     answer.frames = result.frames;
     return target;

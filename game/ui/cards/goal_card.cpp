@@ -118,7 +118,7 @@ std::optional<std::string> drawGoalCard(Layout& layout, Session const& session, 
     // What does not fit above the buttons scrolls: its height is that of the last picture.
     ImGuiID const heightId = ImGui::GetID("height of the content");
     float const height = ImGui::GetStateStorage()->GetFloat(heightId);
-    float const most = ImGui::GetIO().DisplaySize.y - scaled(2 * cardGap + bottomRow) -
+    float const most = ImGui::GetIO().DisplaySize.y - scaled(2 * cardGap + bottomRow + look.below) -
                        2 * ImGui::GetStyle().WindowPadding.y;
     bool const scrolls = height > most;
     if (scrolls) {

@@ -212,6 +212,7 @@ std::optional<std::size_t> drawPlayCards(PlayParts& parts, CommandSet const& com
                                          .task = parts.ofGallery,
                                          .counts = parts.goalCounts,
                                          .goals = parts.timeline.goals(),
+                                         .below = parts.timeline.shown() ? parts.timeline.height() + 6 : 0,
                                          .why = parts.why.canAsk()},
                                         &buttons);
         if (asked) {

@@ -154,17 +154,21 @@ TEST(Why, ItCanBeCancelled) {
 }
 
 TEST(Why, TheNumberOfThreadsDoesNotMatter) {
-    LevelFile const level = whyLevel("first/1-first-contact");
-    LevelRuns const runs(whyData(), level);
-    std::string first;
-    for (int const threads : {1, 2, 8}) {
-        AskOptions options;
-        options.frames = 900;
-        options.threads = threads;
-        Answer const answer = why(runs, *level.findSolution("the spanner"), {}, options);
-        std::string const made = toJson(answer, "", "", Tongue()).dump();
-        first = first.empty() ? made : first;
-        EXPECT_EQ(made, first) << threads;
+    for (auto const& [name, solution] : {std::pair{"first/1-first-contact", "the spanner"},
+                                         {"experiments/2-doorbell", "hands off"},
+                                         {"experiments/3-electric-motor", "hands off"}}) {
+        LevelFile const level = whyLevel(name);
+        LevelRuns const runs(whyData(), level);
+        std::string first;
+        for (int const threads : {1, 2, 8}) {
+            AskOptions options;
+            options.frames = 600;
+            options.threads = threads;
+            Answer const answer = why(runs, *level.findSolution(solution), {}, options);
+            std::string const made = toJson(answer, "", "", Tongue()).dump();
+            first = first.empty() ? made : first;
+            EXPECT_EQ(made, first) << name << ", " << threads;
+        }
     }
 }
 

@@ -1,8 +1,8 @@
 #include "game/ui/play/why/why_drawing.hpp"
 
 #include "render/draw/palette.hpp"
-#include "render/scene/facts/shape_geometry.hpp"
 #include "render/panels/world_label.hpp"
+#include "render/scene/facts/shape_geometry.hpp"
 
 #include <algorithm>
 #include <cmath>

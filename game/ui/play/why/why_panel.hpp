@@ -58,6 +58,8 @@ public:
     // The answer.
     /// nullptr: there is none.
     [[nodiscard]] insight::Answer const* answer() const { return answer_ ? &*answer_ : nullptr; }
+    /// Whether nothing that could be told has happened to what was asked about.
+    [[nodiscard]] bool nothing() const { return nothing_; }
     /// What the card says: each step of the chain, or what the nearest miss was.
     [[nodiscard]] std::vector<std::string> lines() const;
     /// The step that is looked at, of those that lines() are about; a miss is step 0.

@@ -177,7 +177,7 @@ inline std::set<std::string> literalsOfTheProgram() {
 /// test.
 inline std::set<std::string> textsAskedFor() {
     std::set<std::string> all;
-    static std::regex const call(R"(\b(?:text|textWith|said|phrase)\(\s*")");
+    static std::regex const call(R"((?:^|[^.\w])(?:text|textWith|said|phrase)\(\s*")");
     auto const gather = [&](std::string const& source) {
         for (std::sregex_iterator at(source.begin(), source.end(), call), end; at != end; ++at) {
             auto begin = static_cast<std::size_t>(at->position() + at->length() - 1);

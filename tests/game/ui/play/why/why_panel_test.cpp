@@ -163,6 +163,21 @@ TEST(WhyPanel, SaysWhyAnObjectIsAsItIs) {
     EXPECT_TRUE(answer->happened);
 }
 
+TEST(WhyPanel, SaysThatNothingHasHappened) {
+    Player player;
+    fail(player);
+    World const& world = player.session().world();
+    player.moveTo(player.at(world.find<Position>(world.store().find("electromagnet"))->value));
+    player.frames(2);
+    player.key(SDLK_y);
+    waitForAnswer(player);
+    EXPECT_TRUE(player.play().why().open());
+    EXPECT_TRUE(player.play().why().nothing());
+    EXPECT_EQ(player.play().why().answer(), nullptr);
+    expectTidy(player, "nothing");
+    player.look("why-nothing");
+}
+
 TEST(WhyPanel, IsAskedByGamepad) {
     Player player;
     solve(player);
