@@ -33,11 +33,5 @@ TEST(KeptSolution, IsNamedByWhatItNeedsAndLastsASecondLonger) {
     EXPECT_EQ(kept.placements.size(), 1U);
 }
 
-TEST(LevelUnderTest, IsTheSameFromItsFileAndFromMemory) {
-    LevelUnderTest const again(testedData(), firstContact().level(), "first contact");
-    EXPECT_EQ(again.identity(), firstContact().identity());
-    EXPECT_EQ(again.name(), "first contact");
-}
-
 } // namespace
 } // namespace trembler::insight
