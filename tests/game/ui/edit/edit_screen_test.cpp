@@ -78,7 +78,7 @@ TEST(Editor, SelectsWithABoxAndDeletesAndPastes) {
     Designer designer;
     designer.editCopyOf(firstContact);
     std::size_t const before = designer.count("objects");
-    designer.drag(designer.on({-2.65, 1.25}), designer.on({-1.0, -0.1}));
+    designer.drag(designer.on({-2.65, 1.25}), designer.on({-0.9, -0.1}));
     EXPECT_EQ(designer.parts().selected().size(), 4U);
     designer.ctrl(SDLK_c);
     designer.key(SDLK_DELETE);
