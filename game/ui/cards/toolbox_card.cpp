@@ -94,9 +94,10 @@ std::optional<std::string> drawToolbox(CommandButtons& buttons, Session const& s
         ImGui::BeginChild("tiles", {0, room});
     }
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(gap, gap));
-    // Two columns, centred in the card.
-    float const left =
-        ImGui::GetCursorPosX() + 0.5F * (ImGui::GetContentRegionAvail().x - (2 * scaled(tileSide) + gap));
+    // Two columns, centred in the card; a scroll bar takes some of their width.
+    float const width = ImGui::GetContentRegionAvail().x;
+    float const side = std::min(tileSide, 0.5F * (width - gap) / theme().scale);
+    float const left = ImGui::GetCursorPosX() + 0.5F * (width - (2 * scaled(side) + gap));
     for (std::size_t i = 0; i < slots.size(); ++i) {
         if (i % 2 == 1) {
             ImGui::SameLine();
@@ -107,13 +108,13 @@ std::optional<std::string> drawToolbox(CommandButtons& buttons, Session const& s
         bool const inHand = carrying && carried->landing.part == slot.part;
         std::string const title = catalog.titleOf(slot.part);
         int const rest = slot.left - (inHand && !carried->number ? 1 : 0); // that one is in the hand
-        auto const pixels = static_cast<int>(std::lround(scaled(tileSide - 12)));
+        auto const pixels = static_cast<int>(std::lround(scaled(side - 12)));
         TileUse const use = toolboxTile({.id = slot.part.c_str(),
                                          .name = title.c_str(),
                                          .count = rest,
                                          .picture = catalog.picture(slot.part, pixels),
                                          .selected = inHand,
-                                         .side = tileSide});
+                                         .side = side});
         layout.item("part " + slot.part);
         if (use.taken) {
             taken = slot.part;

@@ -21,17 +21,16 @@ constexpr double perFurtherRepeat = 0.09;  // s
 /// The field that has the keys; nullptr if there is none.
 ImGuiInputTextState* fieldInUse() {
     ImGuiContext& context = *ImGui::GetCurrentContext();
-    ImGuiInputTextState* const state =
-        context.ActiveId == 0 ? nullptr : ImGui::GetInputTextState(context.ActiveId);
-    return state != nullptr && (state->Flags & ImGuiInputTextFlags_ReadOnly) == 0 ? state : nullptr;
+    return context.ActiveId == 0 ? nullptr : ImGui::GetInputTextState(context.ActiveId);
 }
 
 bool hasLines(ImGuiInputTextState const& field) {
-    return (field.Flags & ImGuiInputTextFlags_Multiline) != 0;
+    return field.Stb.single_line == 0; // its flags are not kept by every version
 }
 
+/// A number that can be dragged, while it is typed.
 bool takesNumbers(ImGuiInputTextState const& field) {
-    return (field.Flags & (ImGuiInputTextFlags_CharsDecimal | ImGuiInputTextFlags_CharsScientific)) != 0;
+    return ImGui::GetCurrentContext()->TempInputId == field.ID;
 }
 
 SDL_Event keyEvent(SDL_Keycode key, bool down) {

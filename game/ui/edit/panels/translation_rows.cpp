@@ -85,9 +85,11 @@ void drawTranslatedText(EditParts& parts, std::string const& language, Translate
         parts.context.layout.item(itemOf(text) + " missing");
     }
     ImGui::PushFont(theme().fonts.small);
-    caption(text.lost               ? words::lostGoal
-            : text.original.empty() ? words::generatedGoal
-                                    : text.original.c_str());
+    if (text.lost || !text.original.empty()) {
+        caption(text.lost ? words::lostGoal : text.original.c_str());
+    } else if (text.of == TranslatedText::Of::goal) {
+        caption(words::generatedGoal);
+    }
     bool const withoutId = text.of == TranslatedText::Of::goal && text.id.empty();
     if (withoutId) {
         caption(words::goalWithoutId);

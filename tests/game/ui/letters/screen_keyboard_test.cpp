@@ -20,6 +20,7 @@ protected:
         if (!pad.works()) {
             GTEST_SKIP() << "SDL has no virtual gamepads here: " << SDL_GetError();
         }
+        std::filesystem::remove_all(designer.films()); // solutions of an earlier run
         designer.frames(2);
     }
     void press(SDL_GameControllerButton button, int times = 1) {
@@ -42,7 +43,7 @@ protected:
         press(SDL_CONTROLLER_BUTTON_START);
         designer.frames(2);
         ASSERT_EQ(designer.app().menu().page(), MenuPage::main);
-        press(SDL_CONTROLLER_BUTTON_DPAD_DOWN, row + 1); // the first press shows the ring
+        press(SDL_CONTROLLER_BUTTON_DPAD_DOWN, row); // the ring is seen since the title
         if (right) {
             press(SDL_CONTROLLER_BUTTON_DPAD_RIGHT);
         }
@@ -61,7 +62,7 @@ protected:
                 info.group < wanted.group || (info.group == wanted.group && i < commands.indexOf(id));
             row += before && commands.available(i) && !info.fixed && info.use != KeyUse::held ? 1 : 0;
         }
-        press(SDL_CONTROLLER_BUTTON_DPAD_DOWN, row + 1);
+        press(SDL_CONTROLLER_BUTTON_DPAD_DOWN, row);
         press(SDL_CONTROLLER_BUTTON_A);
         designer.frames(3);
     }
@@ -89,7 +90,6 @@ TEST_F(LettersByPad, FromTheTitleToASavedSolutionWithAName) {
     ASSERT_EQ(saved().size(), 1U);
     chooseInMenu(2, false);
     ASSERT_EQ(designer.app().menu().page(), MenuPage::solutions);
-    press(SDL_CONTROLLER_BUTTON_DPAD_DOWN);
     press(SDL_CONTROLLER_BUTTON_DPAD_RIGHT);
     press(SDL_CONTROLLER_BUTTON_A); // rename
     designer.frames(3);
@@ -167,6 +167,19 @@ TEST_F(LettersByPad, NumbersAndSearchFields) {
     EXPECT_EQ(designer.parts().searched, "magn");
     EXPECT_FALSE(designer.shows("part crate"));
     EXPECT_TRUE(designer.parts().panelKeys);
+    // A number that can be dragged: the first one of the tools' settings.
+    press(SDL_CONTROLLER_BUTTON_RIGHTSHOULDER, 2);
+    ASSERT_EQ(designer.parts().tab, Tab::properties);
+    press(SDL_CONTROLLER_BUTTON_DPAD_DOWN);
+    press(SDL_CONTROLLER_BUTTON_DPAD_UP, 3);
+    press(SDL_CONTROLLER_BUTTON_X);
+    ASSERT_TRUE(open());
+    EXPECT_EQ(typist.keyboard().keys().front().text, "7") << "digits only";
+    typist.type("0.25");
+    designer.look("letters-number");
+    press(SDL_CONTROLLER_BUTTON_START);
+    designer.frames(2);
+    EXPECT_NEAR(designer.parts().snapping.grid, 0.25, 1e-9);
     // The list of commands has a field that always has the keys: its letters come when asked for.
     press(SDL_CONTROLLER_BUTTON_B);
     press(SDL_CONTROLLER_BUTTON_A);
@@ -252,7 +265,6 @@ TEST_F(LettersByPad, FitsIntoEverySize) {
                     EXPECT_FALSE(keys[i].overlaps(keys[j]));
                 }
             }
-            designer.look("letters-" + std::to_string(size.height) + "-" + std::to_string(factor));
             press(SDL_CONTROLLER_BUTTON_B);
             designer.app().showTitle();
         }

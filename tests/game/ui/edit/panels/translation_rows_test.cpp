@@ -52,15 +52,6 @@ TEST(TranslationRows, MakeAndChangeTheWordsOfALanguage) {
     EXPECT_FALSE(designer.tree().contains("texts"));
 }
 
-TEST(TranslationRows, ShowThoseOfALevelThatHasThem) {
-    Designer designer;
-    designer.editCopyOf(bell);
-    scrollToItem(designer, "translated goal silenced de");
-    EXPECT_FALSE(designer.shows("translated goal silenced missing"));
-    typeInto(designer, "translated goal silenced de", "Mach sie still");
-    EXPECT_EQ(designer.tree()["texts"]["de"]["goals"]["silenced"], "Mach sie still");
-}
-
 TEST(GoalsPage, ChangesTheTaskOfADemonstration) {
     Designer designer;
     designer.editCopyOf(bell);
