@@ -44,7 +44,7 @@ void lookAtWhatIf(Player& player, Look const& look) {
     for (int i = 0; i < 6; ++i) {
         player.key(SDLK_PAGEUP, KMOD_LSHIFT);
     }
-    player.key(SDLK_a);
+    player.key(SDLK_z);
     player.frames(settled);
     World const& past = player.play().timeline().world();
     Vec2 const ball = past.find<Position>(past.store().find("iron ball"))->value;

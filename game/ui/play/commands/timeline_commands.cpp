@@ -181,7 +181,7 @@ constexpr Command<PlayParts> timelineTable[] = {
      .run = [](PlayParts& parts) { parts.continueHere(); },
      .available = [](PlayParts const& parts) { return hasPast(parts) && parts.timeline.looksBack(); }},
     {.info = {.id = "what-if",
-              .keys = {{{SDLK_a}}},
+              .keys = {{{SDLK_z}}},
               .icon = Icon::Hint,
               .group = CommandGroup::running,
               .name = "What if",

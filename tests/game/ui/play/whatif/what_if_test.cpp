@@ -67,7 +67,7 @@ TEST(WhatIf, AnObjectThatIsDraggedAwayMakesAnotherRun) {
     player.play().timeline().seek(60);
     player.frames(2);
     player.look("what-if-later");
-    player.key(SDLK_a);
+    player.key(SDLK_z);
     EXPECT_FALSE(view.active());
     EXPECT_EQ(view.kept().size(), 1U);
     player.key(SDLK_END);
@@ -80,7 +80,7 @@ TEST(WhatIf, AnObjectThatIsDraggedAwayMakesAnotherRun) {
 TEST(WhatIf, KeysTurnMoveAndRemoveWhatIsChosen) {
     Player player;
     lookAt(player, 20);
-    player.key(SDLK_a);
+    player.key(SDLK_z);
     WhatIfView const& view = player.play().whatIf();
     ASSERT_TRUE(view.active());
     await(player);
@@ -113,7 +113,7 @@ TEST(WhatIf, KeysTurnMoveAndRemoveWhatIsChosen) {
 TEST(WhatIf, TheSecondHandPullsAndTheLastOneIsKept) {
     Player player;
     lookAt(player, 20);
-    player.key(SDLK_a);
+    player.key(SDLK_z);
     WhatIfView const& view = player.play().whatIf();
     await(player);
     player.hold(SDLK_g);
@@ -125,10 +125,10 @@ TEST(WhatIf, TheSecondHandPullsAndTheLastOneIsKept) {
     EXPECT_EQ(view.whatIf().changes.front().kind, Kind::grab);
     auto const differs = view.run()->firstDifference();
     ASSERT_TRUE(differs);
-    player.key(SDLK_a);
+    player.key(SDLK_z);
     player.frames(2);
     EXPECT_FALSE(player.showsCard("what if lane"));
-    player.key(SDLK_a);
+    player.key(SDLK_z);
     await(player);
     EXPECT_TRUE(view.whatIf().changes.empty());
     player.clickItem("what if again");
@@ -144,7 +144,7 @@ TEST(WhatIf, PlotsShowBothRuns) {
     lookAt(player, 20);
     ProbePanel& probes = player.play().timeline().probes();
     probes.toggle("iron ball.position.x");
-    player.key(SDLK_a);
+    player.key(SDLK_z);
     await(player);
     Vec2 const from = ballAt(player);
     player.drag(player.at(from), player.at(from + Vec2{0.6, 0.4}));
@@ -166,7 +166,7 @@ TEST(WhatIf, AGamepadChoosesTurnsAndRemoves) {
     }
     Player player;
     lookAt(player, 20);
-    player.key(SDLK_a); // the command has no button of its own; the list of all commands has it
+    player.key(SDLK_z); // the command has no button of its own; the list of all commands has it
     WhatIfView const& view = player.play().whatIf();
     await(player);
     Vec2 const from = ballAt(player);
@@ -190,7 +190,7 @@ TEST(WhatIf, ItsCardsFitAtEverySize) {
          {render::Size{800, 600}, render::Size{1280, 720}, render::Size{1920, 1080}}) {
         Player player(size);
         lookAt(player, 20);
-        player.key(SDLK_a);
+        player.key(SDLK_z);
         await(player);
         player.click(player.at(ballAt(player)));
         player.key(SDLK_RIGHT);
