@@ -11,6 +11,10 @@ constexpr double nearestSquared = 0.01; // m²
 constexpr double upwards = 1 + 1e-9;    // more than all rounding in a limit
 constexpr std::size_t mostAtOnce = 512;
 
+// Groups are no longer tested when walls hide hardly any of them.
+constexpr int firstHope = 80;
+constexpr int eachHope = 8; // more for each group that is hidden
+
 double squaredDistance(Bounds const& bounds, Vec2 point) {
     Vec2 const nearest{std::clamp(point.x, bounds.lower.x, bounds.upper.x),
                        std::clamp(point.y, bounds.lower.y, bounds.upper.y)};
@@ -39,6 +43,7 @@ void HeardSum::restart(SourceTree const& tree) {
     gathered_ = 0;
     neglected_ = 0;
     atOnce_ = 1;
+    hope_ = firstHope;
     open_.clear();
     asked_.clear();
     known_.clear();
@@ -99,11 +104,13 @@ void HeardSum::ask(SourceTree const& tree, ObstacleField const& field) {
         Open const loudest = open_.back();
         open_.pop_back();
         SourceTree::Group const& group = tree.groups()[loudest.group];
-        if (threshold_ > 0) {
+        if (threshold_ > 0 && hope_ > 0) {
+            --hope_;
             double const enough = threshold_ / (group.size() * loudest.most);
             if (shareAtMost(field, listener_.object, group.bounds, listener_.at, group.lowestFrequency,
                             enough) < enough) {
                 neglected_ += threshold_;
+                hope_ += eachHope;
                 continue;
             }
         }

@@ -79,6 +79,7 @@ private:
     double gathered_ = 0;    // Pa², of the known ways, in any order
     double neglected_ = 0;   // Pa², at most
     std::size_t atOnce_ = 1; // ways
+    int hope_ = 0;           // tests of groups that are still worth their time
     std::vector<Open> open_; // a heap
     std::vector<Way> asked_;
     std::vector<Way> known_;
