@@ -1,5 +1,6 @@
 #include "audio/effect/hearing/loudness.hpp"
 
+#include "audio/effect/hearing/heard_sum.hpp"
 #include "audio/effect/hearing/smoothing.hpp"
 #include "audio/effect/properties/decibel.hpp"
 #include "physics/material.hpp"
@@ -10,24 +11,9 @@
 namespace trembler {
 namespace {
 
-struct Source {
-    ObjectId object;
-    Vec2 at;              // m
-    double loudness = 0;  // Pa² at 1 m
-    double frequency = 0; // Hz
-    EventId event;
-};
-
-struct Listening {
-    ObjectId object;
-    bool placed = false;
-    Vec2 at;             // m
-    double faintest = 0; // Pa²
-};
-
 /// The path from a source to a listener.
 struct Way {
-    Source const* source;
+    SoundSource const* source;
     Vec2 to;          // m
     std::size_t ear;  // the listener's entry
     double heard = 0; // Pa²
@@ -39,9 +25,9 @@ constexpr double withoutEffect = 0x1p-80;
 // There are sources times ears of these; this many at a time are kept in memory.
 constexpr std::size_t waysAtOnce = 1 << 18;
 
-std::vector<Source> sourcesOf(Sounds const& sounds) {
+std::vector<SoundSource> sourcesOf(Sounds const& sounds) {
     constexpr double typical = 1000; // Hz, of a recording
-    std::vector<Source> sources;
+    std::vector<SoundSource> sources;
     for (Sounds::Body const& body : sounds.bodies) {
         if (body.loudness > inaudible) {
             sources.push_back({body.object, body.at, body.loudness, body.brightness, body.event});
@@ -55,13 +41,13 @@ std::vector<Source> sourcesOf(Sounds const& sounds) {
     return sources;
 }
 
-std::vector<Listening> listeningIn(LoudnessColumns const& columns) {
+std::vector<SoundListener> listeningIn(LoudnessColumns const& columns) {
     constexpr double margin = 0.01; // 20 dB
     std::vector<ObjectId> ears;
     std::set_union(columns.ears.owners().begin(), columns.ears.owners().end(),
                    columns.sensors.owners().begin(), columns.sensors.owners().end(),
                    std::back_inserter(ears));
-    std::vector<Listening> all;
+    std::vector<SoundListener> all;
     for (ObjectId const ear : ears) {
         Position const* const position = columns.position.find(ear);
         SoundSensor const* const sensor = columns.sensors.find(ear);
@@ -70,11 +56,6 @@ std::vector<Listening> listeningIn(LoudnessColumns const& columns) {
                        onlySwitches ? margin * meanSquareOf(sensor->threshold) : inaudible});
     }
     return all;
-}
-
-// Whether the source would be heard without obstacles.
-bool reaches(Source const& source, Listening const& ear) {
-    return ear.placed && source.loudness / std::max(0.01, lengthSquared(ear.at - source.at)) >= ear.faintest;
 }
 
 std::vector<Obstacle> obstaclesOf(LoudnessColumns const& columns) {
@@ -122,29 +103,23 @@ void addUp(std::vector<Way> const& ways, std::vector<Loudness::Entry>& entries) 
     }
 }
 
-} // namespace
-
-std::vector<Loudness::Entry> loudnessOf(Sounds const& sounds, LoudnessColumns const& columns,
-                                        PathDetail detail, ForPaths const& forPaths) {
-    std::vector<Source> const sources = sourcesOf(sounds);
-    std::vector<Listening> const ears = listeningIn(columns);
-    std::vector<Loudness::Entry> entries;
+void hearAround(std::span<SoundSource const> sources, std::span<SoundListener const> ears,
+                LoudnessColumns const& columns, ForPaths const& forPaths,
+                std::vector<Loudness::Entry>& entries) {
     std::size_t count = 0; // number of all ways
-    for (Listening const& ear : ears) {
-        entries.push_back({ear.object, silentLevel, {}, {}});
+    for (SoundListener const& ear : ears) {
         count += static_cast<std::size_t>(std::count_if(
-            sources.begin(), sources.end(), [&](Source const& source) { return reaches(source, ear); }));
+            sources.begin(), sources.end(), [&](SoundSource const& source) { return reaches(source, ear); }));
     }
     if (count == 0) {
-        return entries;
+        return;
     }
     std::vector<Obstacle> const obstacles = obstaclesOf(columns);
     ObstacleField const field(obstacles);
-    double const silence = meanSquareOf(silentLevel);
     int const patience = patienceFor(count, obstacles.size());
     std::vector<Way> ways; // by ear, and of each ear in order of sources
     for (std::size_t ear = 0; ear < ears.size(); ++ear) {
-        for (Source const& source : sources) {
+        for (SoundSource const& source : sources) {
             if (reaches(source, ears[ear])) {
                 ways.push_back({&source, ears[ear].at, ear, 0});
             }
@@ -154,14 +129,99 @@ std::vector<Loudness::Entry> loudnessOf(Sounds const& sounds, LoudnessColumns co
         }
         forPaths(ways.size(), [&](std::size_t begin, std::size_t end) {
             for (Way& way : std::span(ways).subspan(begin, end - begin)) {
-                double const least = withoutEffect * silence / way.source->loudness;
                 way.heard = way.source->loudness * transmission(field, std::span(&entries[way.ear].ear, 1),
                                                                 way.source->at, way.to, way.source->frequency,
-                                                                detail, least, patience);
+                                                                PathDetail::around, 0, patience);
             }
         });
         addUp(ways, entries);
         ways.clear();
+    }
+}
+
+// Each ear asks for some ways at a time. They are computed for many ears together, to be divided among
+// threads even if there are few ears.
+void hearStraight(std::span<SoundSource const> sources, std::span<SoundListener const> ears,
+                  LoudnessColumns const& columns, ForPaths const& forPaths,
+                  std::span<Loudness::Entry> entries) {
+    constexpr std::size_t mostTogether = 512;
+    double const silence = withoutEffect * meanSquareOf(silentLevel);
+    SourceTree const tree(sources);
+    std::size_t const together =
+        std::clamp(waysAtOnce / std::max(std::size_t{1}, sources.size()), std::size_t{1}, mostTogether);
+    std::vector<HeardSum> sums(std::min(together, ears.size()));
+    if (std::none_of(ears.begin(), ears.end(),
+                     [&](SoundListener const& ear) { return sums.front().begin(ear, tree, silence); })) {
+        return;
+    }
+    std::vector<Obstacle> const obstacles = obstaclesOf(columns);
+    ObstacleField const field(obstacles);
+    struct Asked {
+        HeardSum const* sum;
+        HeardSum::Way* way;
+    };
+    std::vector<Asked> asked;
+    std::vector<HeardSum*> unfinished;
+    for (std::size_t first = 0; first < ears.size(); first += together) {
+        std::size_t const count = std::min(together, ears.size() - first);
+        unfinished.clear();
+        for (std::size_t i = 0; i < count; ++i) {
+            if (sums[i].begin(ears[first + i], tree, silence)) {
+                unfinished.push_back(&sums[i]);
+            }
+        }
+        while (!unfinished.empty()) {
+            forPaths(unfinished.size(), [&](std::size_t begin, std::size_t end) {
+                for (HeardSum*& sum : std::span(unfinished).subspan(begin, end - begin)) {
+                    if (!sum->next(tree, field)) {
+                        Loudness::Entry& entry = entries[first + static_cast<std::size_t>(sum - sums.data())];
+                        entry.level = levelOf(sum->sum());
+                        if (std::optional<std::uint32_t> const loudest = sum->loudest()) {
+                            entry.loudest = sources[*loudest].object;
+                            entry.event = sources[*loudest].event;
+                        }
+                        sum = nullptr;
+                    }
+                }
+            });
+            std::erase(unfinished, nullptr);
+            asked.clear();
+            for (HeardSum* const sum : unfinished) {
+                for (HeardSum::Way& way : sum->ways()) {
+                    asked.push_back({sum, &way});
+                }
+            }
+            forPaths(asked.size(), [&](std::size_t begin, std::size_t end) {
+                for (auto const& [sum, way] : std::span(asked).subspan(begin, end - begin)) {
+                    SoundSource const& source = sources[way->source];
+                    way->heard =
+                        source.loudness * transmission(field, std::span(&sum->listener().object, 1),
+                                                       source.at, sum->listener().at, source.frequency,
+                                                       PathDetail::straight, sum->least() / source.loudness);
+                }
+            });
+        }
+    }
+}
+
+} // namespace
+
+std::vector<Loudness::Entry> loudnessOf(Sounds const& sounds, LoudnessColumns const& columns,
+                                        PathDetail detail, ForPaths const& forPaths) {
+    std::vector<SoundSource> const sources = sourcesOf(sounds);
+    std::vector<SoundListener> const ears = listeningIn(columns);
+    std::vector<Loudness::Entry> entries;
+    entries.reserve(ears.size());
+    for (SoundListener const& ear : ears) {
+        entries.push_back({ear.object, silentLevel, {}, {}});
+    }
+    if (ears.empty() || sources.empty()) {
+        return entries;
+    }
+    if (detail == PathDetail::straight) {
+        hearStraight(sources, ears, columns, forPaths, entries);
+    } else {
+        hearAround(sources, ears, columns, forPaths, entries);
     }
     return entries;
 }

@@ -80,7 +80,7 @@ bool contains(Obstacle const& obstacle, Vec2 point) {
     std::size_t const n = obstacle.corners.size();
     for (std::size_t i = 0; i < n; ++i) {
         Vec2 const corner = obstacle.corners[i];
-        if (cross(obstacle.corners[(i + 1) % n] - corner, point - corner) < 0) {
+        if (cross(obstacle.corners[i + 1 < n ? i + 1 : 0] - corner, point - corner) < 0) {
             return false;
         }
     }
@@ -98,7 +98,7 @@ double chordOf(Obstacle const& obstacle, Vec2 from, Vec2 to) {
     std::size_t const n = obstacle.corners.size();
     for (std::size_t i = 0; i < n; ++i) {
         Vec2 const corner = obstacle.corners[i];
-        Vec2 const side = obstacle.corners[(i + 1) % n] - corner;
+        Vec2 const side = obstacle.corners[i + 1 < n ? i + 1 : 0] - corner;
         double const inside = cross(side, from - corner); // above zero: inside of this side
         double const change = cross(side, way);
         if (change == 0) {
@@ -117,34 +117,36 @@ double chordOf(Obstacle const& obstacle, Vec2 from, Vec2 to) {
 double detourAround(Obstacle const& obstacle, Vec2 from, Vec2 to) {
     // On each side: a taut string from one point to the other around the corners of that side. As the polygon
     // is convex, it is the hull of these corners and the two points, without the straight line.
-    thread_local std::vector<Vec2>
-        string; // both static to reuse their memory, as this function is called very often
-    thread_local std::vector<Vec2> corners;
+    struct Passed {
+        Vec2 corner;
+        double along = 0;
+    };
+    thread_local std::vector<Vec2> string;   // both static to reuse their memory, as this function is called
+    thread_local std::vector<Passed> passed; // very often
+    Vec2 const way = to - from;
     auto const around = [&](double side) {
-        string.assign(1, from);
-        corners.clear();
-        Vec2 const way = to - from;
+        passed.clear();
         for (Vec2 const corner : obstacle.corners) {
             if (side * cross(way, corner - from) > 0) {
-                corners.push_back(corner);
+                passed.push_back({corner, dot(way, corner - from)});
             }
         }
-        std::sort(corners.begin(), corners.end(), [&](Vec2 a, Vec2 b) {
-            double const alongA = dot(way, a - from);
-            double const alongB = dot(way, b - from);
-            return alongA != alongB ? alongA < alongB : side * cross(way, a - b) < 0;
+        std::sort(passed.begin(), passed.end(), [&](Passed const& a, Passed const& b) {
+            return a.along != b.along ? a.along < b.along : side * cross(way, a.corner - b.corner) < 0;
         });
-        corners.push_back(to);
-        for (Vec2 const next : corners) {
-            while (string.size() >= 2 && side * cross(string.back() - string[string.size() - 2],
-                                                      next - string[string.size() - 2]) >=
-                                             0) {
-                string.pop_back();
+        passed.push_back({to});
+        string.resize(passed.size() + 1);
+        string[0] = from;
+        std::size_t last = 0; // of the string
+        for (Passed const& next : passed) {
+            while (last >= 1 &&
+                   side * cross(string[last] - string[last - 1], next.corner - string[last - 1]) >= 0) {
+                --last;
             }
-            string.push_back(next);
+            string[++last] = next.corner;
         }
         double sum = 0;
-        for (std::size_t i = 1; i < string.size(); ++i) {
+        for (std::size_t i = 1; i <= last; ++i) {
             sum += length(string[i] - string[i - 1]);
         }
         return sum;

@@ -9,7 +9,6 @@ namespace trembler {
 namespace {
 
 constexpr double nearest = 0.1;    // m
-constexpr double thinnest = 0.01;  // m: an obstacle with a shorter part of the line is no wall
 constexpr double worthAWay = 0.33; // of the energy: if more is transmitted, a way around adds little
 
 /// An obstacle on the line, and the share of energy that goes through it.
@@ -55,7 +54,7 @@ double transmission(ObstacleField const& field, std::span<ObjectId const> exempt
     bool const matters = field.along(from, to, [&](std::uint32_t number) {
         Obstacle const& wall = field.all()[number];
         double const chord = chordOf(wall, from, to);
-        if (chord >= thinnest && inTheWay(wall)) {
+        if (chord >= thinnestWall && inTheWay(wall)) {
             crossed.push_back({number, shareThrough(wall.density * chord, frequency)});
             most *= std::min(1.0, crossed.back().share + mostAround);
         }

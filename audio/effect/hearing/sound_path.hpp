@@ -23,6 +23,9 @@ enum class PathDetail {
               ///< closed room
 };
 
+/// m: an obstacle of which the line has a shorter part is no wall.
+inline constexpr double thinnestWall = 0.01;
+
 /// The mean square pressure at `to` over that at 1 m from a source at `from`, in free air 1/r². Obstacles of
 /// the objects in `exempt` (the listener), and obstacles that contain an end, do not count. Two ends nearer
 /// than 10 cm count as 10 cm apart. `frequency` in Hz. Echoes are left out. Along a straight line a share
