@@ -17,7 +17,7 @@
 namespace trembler::insight {
 
 struct ReportOptions {
-    RobustnessOptions robustness;
+    RobustnessOptions robustness = {};
     int drops = 100;          ///< runs with each single part dropped at random
     bool maps = false;        ///< where each part may lie
     double mapStep = 0.05;    ///< m
@@ -25,10 +25,10 @@ struct ReportOptions {
     bool costs = true;        ///< effects' times, and the cheapest ways to compute; not reproducible
     std::uint64_t search = 0; ///< trials in search of other solutions; 0: none
     /// Called with what is being done, for progress; may be empty.
-    std::function<void(std::string const&)> step;
+    std::function<void(std::string const&)> step = {};
     /// Called after each part of the work with what is known by then, for who shows it as it comes; may be
     /// empty. What is not known yet is empty, and robustness has no runs.
-    std::function<void(struct LevelReport const&)> sofar;
+    std::function<void(struct LevelReport const&)> sofar = {};
 };
 
 struct SolutionReport {

@@ -20,12 +20,12 @@ struct WorkDone {
 };
 
 struct WorkersOptions {
-    int threads = 0;            ///< 0: one for each processor
-    Team* team = nullptr;       ///< nullptr: this process alone
-    Journal* journal = nullptr; ///< nullptr: nothing is kept
-    std::function<bool()> stop; ///< asked often, from any thread; true: no further piece is begun
+    int threads = 0;                 ///< 0: one for each processor
+    Team* team = nullptr;            ///< nullptr: this process alone
+    Journal* journal = nullptr;      ///< nullptr: nothing is kept
+    std::function<bool()> stop = {}; ///< asked often, from any thread; true: no further piece is begun
     /// Called about every quarter of a second, from the thread that called share(); in the leader only.
-    std::function<void(WorkDone)> progress;
+    std::function<void(WorkDone)> progress = {};
 };
 
 /// The results depend on neither the number of threads nor that of processes, nor on what a journal held

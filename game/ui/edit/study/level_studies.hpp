@@ -26,10 +26,10 @@ struct StudiedLevel {
 /// A search as it is shown.
 struct SearchShown {
     std::shared_ptr<StudiedLevel const> of{}; ///< the first member: the moments need its data until their end
-    insight::SearchResult search;
-    std::vector<insight::RecordedKind> recorded;
+    insight::SearchResult search = {};
+    std::vector<insight::RecordedKind> recorded = {};
     /// By index in search.found: the moment in which it solves the level; nullptr if it cannot be played.
-    std::vector<std::shared_ptr<Session const>> moments;
+    std::vector<std::shared_ptr<Session const>> moments = {};
     bool complete = false; ///< all runs were made
 };
 
