@@ -196,7 +196,7 @@ std::vector<Shortcoming> shortcomingsOf(LevelReport const& report) {
     if (report.emptyToolboxSolves) {
         faults.push_back({Kind::solvesItself});
     }
-    if (report.kinds < 2) {
+    if ((report.examined || report.complete) && report.kinds < 2) { // otherwise they are not known yet
         faults.push_back({Kind::fewKinds, "", report.kinds});
     }
     for (SolutionReport const& solution : report.solutions) {

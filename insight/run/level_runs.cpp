@@ -132,7 +132,7 @@ RunResult LevelRuns::run(Variation const& variation, RunLimits const& limits,
         result = {};
         result.fault =
             error.diagnostics().empty() ? std::string(error.what()) : error.diagnostics().front().message;
-    } catch (std::invalid_argument const& error) {
+    } catch (std::exception const& error) { // the world of this run cannot go on
         result = {};
         result.fault = error.what();
     }

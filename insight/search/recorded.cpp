@@ -3,7 +3,6 @@
 #include "insight/trial/trial.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <optional>
@@ -46,7 +45,16 @@ Solution keptSolution(FoundSolution const& found, std::size_t number) {
     Solution solution = found.needs.least;
     std::vector<std::string> makings = found.needs.parts;
     makings.insert(makings.end(), found.needs.deeds.begin(), found.needs.deeds.end());
-    solution.name = fmt::format("found {}: {}", number, fmt::join(makings, ", "));
+    solution.name = fmt::format("found {}", number);
+    char const* before = ": ";
+    for (std::string const& making : makings) { // a name is at most 100 bytes, and another number may follow
+        if (solution.name.size() + making.size() > 80) {
+            solution.name += "...";
+            break;
+        }
+        solution.name += before + making;
+        before = ", ";
+    }
     solution.frames = static_cast<int>(found.needs.frame + framesAfter);
     return solution;
 }

@@ -7,6 +7,9 @@ namespace trembler::insight {
 namespace {
 
 bool concernsTheSame(Change const& a, Change const& b) {
+    if (a.kind == Change::Kind::grab && b.kind == Change::Kind::grab) {
+        return true; // there is one hand for it, which can hold one object
+    }
     if (a.kind != b.kind || a.object != b.object) {
         return false;
     }

@@ -63,7 +63,14 @@ void OtherRun::step() {
         std::vector<RecordedInput> inputs = inputsLeft(session_.inputs(), whatIf_);
         std::vector<RecordedInput> const own = inputsOfGrabs(whatIf_);
         inputs.insert(inputs.end(), own.begin(), own.end());
-        otherInputs_ = Playback(std::move(inputs), changes);
+        std::vector<RecordedChange> others = changes; // a period would apply again what is left out
+        std::erase_if(others, [this](RecordedChange const& change) {
+            return change.kind == RecordedChange::Kind::period &&
+                   std::any_of(whatIf_.changes.begin(), whatIf_.changes.end(), [&](Change const& each) {
+                       return each.kind == Change::Kind::interaction && each.object == change.subject;
+                   });
+        });
+        otherInputs_ = Playback(std::move(inputs), std::move(others));
     } else if (inputsKnown_ == 0 && changesKnown_ == 0 && frame() == whatIf_.frame) {
         otherInputs_ = Playback(inputsOfGrabs(whatIf_), {});
     }

@@ -12,7 +12,7 @@ namespace {
 
 using namespace render;
 
-constexpr float roomForAll = 760; // height at which no row needs scrolling, in pixels at UI scale 1
+constexpr float roomForAll = 1300; // height at which no row needs scrolling, in pixels at UI scale 1
 
 void drawHelpLine(HelpLine const& line) {
     ImGui::TableNextColumn();

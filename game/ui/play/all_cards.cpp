@@ -93,8 +93,8 @@ void drawPanels(PlayParts& parts, float screen, float bottom, Beside const& besi
                               words::lessOrMore + (keys ? " (" + less + ", " + more + ")" : std::string())});
     parts.components.draw(context.layout, parts.session, parts.budget, context.toasts, top,
                           screen - top - bottom - 8);
-    if (!parts.hasMods()) {
-        return;
+    if (!parts.hasMods() || parts.why.working() || parts.whatIf->active()) {
+        return; // scripts may not be changed while other worlds run them
     }
     World const* const world = &parts.session.world();
     parts.modsPanel.draw(context.layout, parts.data->registry, *parts.workshop, parts.session, top,

@@ -143,6 +143,11 @@ void PlayParts::lookAt(std::uint64_t frame) {
     }
 }
 
+PadPhase PlayParts::phase() const {
+    bool const changing = whatIf->atMoment() && !whatIfTool->chosen().empty();
+    return changing || session.mode() == SessionMode::building ? PadPhase::building : PadPhase::running;
+}
+
 void PlayParts::askWhy() {
     auto const selected = placing.selected();
     ObjectId object = picking.hovered();
@@ -150,9 +155,11 @@ void PlayParts::askWhy() {
         object = selected ? session.objectOf(*selected) : inspector.object(session);
     }
     if (object.valid() && !run.building()) {
-        why.askObject(session.world().store().nameOf(object), timeline.frame());
-    } else {
+        why.askObject(shownWorld().store().nameOf(object), timeline.frame());
+    } else if (!session.judge().status().empty()) {
         why.askNextGoal();
+    } else {
+        context.toasts.add(text("Point at an object to ask why it is as it is."), render::ToastKind::News, 4);
     }
     inspector.close();
 }
@@ -181,6 +188,12 @@ void PlayParts::keepBuild(double seconds) {
 
 void PlayParts::passMods(double seconds) {
     if (workshop == nullptr) {
+        return;
+    }
+    if (why.working() || whatIf->active()) {
+        // Other worlds run the same scripts, which may not change under them; what they say is not of this
+        // run.
+        static_cast<void>(data->scriptLog->take());
         return;
     }
     auto const world = &session.world();

@@ -57,8 +57,8 @@ inline char const* const& lastLevel = said("That was the last level.");
 
 // The keyboard on the screen.
 inline char const* const& blankKey = said("Space");
-inline char const* const& lettersLegend =
-    said("A: press · X: delete · Y: space · L1, R1: cursor · L2: capitals · R2: signs · Start: done · B: cancel");
+inline char const* const& lettersLegend = said(
+    "A: press · X: delete · Y: space · L1, R1: cursor · L2: capitals · R2: signs · Start: done · B: cancel");
 
 // Menu and settings.
 inline constexpr Phrase restart = "Start the level again";

@@ -154,7 +154,8 @@ Json newCondition(std::string const& kind, std::vector<std::string> const& objec
 
 Command addGoal(Json const& level, std::string const& place, Json const& condition, GoalTree which) {
     char const* const key = keyOf(which);
-    if (which == GoalTree::task && level.value("demonstration", Json()) != Json(true)) {
+    if (which == GoalTree::task &&
+        (!level.is_object() || level.value("demonstration", Json()) != Json(true))) {
         throw CommandError("only a demonstration has a task");
     }
     if (level.contains(key)) {

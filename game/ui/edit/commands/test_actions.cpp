@@ -14,6 +14,9 @@ using render::ToastKind;
 /// A screen for the document as it is; nullptr, and a message, if it cannot be played.
 std::unique_ptr<PlayScreen> playScreenFor(EditParts& parts) {
     parts.autosave->flush(parts.document);
+    if (parts.data != nullptr && !parts.data->mods.empty()) {
+        parts.studies->stopAll(); // the scripts that its worlds run can be changed while playing
+    }
     try {
         // A demonstration is played with its task, as in the game.
         LevelFile const level = asPlayed(parts.document.level(), "");

@@ -10,6 +10,10 @@ bool canAsk(PlayParts const& parts) {
     return parts.why.canAsk();
 }
 
+bool canAskOfGoals(PlayParts const& parts) {
+    return canAsk(parts) && !parts.session.judge().status().empty();
+}
+
 bool hasAnswer(PlayParts const& parts) {
     return parts.why.open() && parts.why.answer() != nullptr;
 }
@@ -47,7 +51,7 @@ constexpr Command<PlayParts> whyTable[] = {
              parts.inspector.close();
              parts.why.askNextGoal();
          },
-     .available = canAsk},
+     .available = canAskOfGoals},
     {.info = {.id = "why-before",
               .keys = {{{SDLK_a}}},
               .group = CommandGroup::running,

@@ -80,10 +80,24 @@ void WhatIfView::change(insight::Change change) {
 }
 
 void WhatIfView::takeBack(std::size_t index) {
-    if (index < whatIf_.changes.size()) {
-        whatIf_.changes.erase(whatIf_.changes.begin() + static_cast<std::ptrdiff_t>(index));
-        compute();
+    if (index >= whatIf_.changes.size()) {
+        return;
     }
+    using Kind = insight::Change::Kind;
+    if (whatIf_.changes[index].kind == Kind::input) {
+        std::erase_if(whatIf_.changes,
+                      [](insight::Change const& change) { return change.kind == Kind::input; });
+    } else {
+        whatIf_.changes.erase(whatIf_.changes.begin() + static_cast<std::ptrdiff_t>(index));
+    }
+    compute();
+}
+
+void WhatIfView::leaveOut(std::vector<std::size_t> const& inputs) {
+    for (std::size_t const index : inputs) {
+        whatIf_.add({.kind = insight::Change::Kind::input, .index = index});
+    }
+    compute();
 }
 
 void WhatIfView::compute() {
@@ -106,7 +120,14 @@ void WhatIfView::pass() {
         return;
     }
     insight::OtherRun& computed = next_ ? *next_ : *shown_;
-    moving_ = computed.advance(otherFramesAtOnce, timeline_.last());
+    try {
+        moving_ = computed.advance(otherFramesAtOnce, timeline_.last());
+    } catch (std::exception const& error) { // the changed world cannot go on
+        trouble_ = error.what();
+        active_ = false;
+        drop();
+        return;
+    }
     if (next_ && next_->begun()) {
         shown_ = std::move(next_);
         stage_.forget();

@@ -39,12 +39,16 @@ public:
     // Changes, all at the moment.
     [[nodiscard]] std::uint64_t moment() const { return whatIf_.frame; }
     [[nodiscard]] insight::WhatIf const& whatIf() const { return whatIf_; }
-    /// Whether the moment is shown, so that something can be changed.
-    [[nodiscard]] bool atMoment() const { return active_ && timeline_.frame() == whatIf_.frame; }
+    /// Whether the moment is shown, so that something can be changed; or the nearest that is still recorded.
+    [[nodiscard]] bool atMoment() const {
+        return active_ && timeline_.frame() == timeline_.recording().nearest(whatIf_.frame);
+    }
     /// Lets the timeline show the moment.
     void toMoment();
     void change(insight::Change change);
-    /// Takes a change back, by its place in the list.
+    /// Leaves out these of the session's inputs.
+    void leaveOut(std::vector<std::size_t> const& inputs);
+    /// Takes a change back, by its place in the list; an input that is left out with all others of them.
     void takeBack(std::size_t index);
     /// The fields of an object that can be set, as they are at the moment in the other run.
     [[nodiscard]] std::vector<insight::SettableField> fieldsOf(std::string const& object);

@@ -160,13 +160,10 @@ void drawLeavingOut(Layout& layout, Session const& session, WhatIfView& view) {
     if (!later.empty()) {
         bool without = hands.has_value();
         if (checkBox(text("Without what the hand does then"), &without)) {
-            for (std::size_t const index : later) {
-                if (without) {
-                    view.change({.kind = Change::Kind::input, .index = index});
-                }
-            }
-            while (!without && placeOfChange(view.whatIf(), Change::Kind::input, "")) {
-                view.takeBack(*placeOfChange(view.whatIf(), Change::Kind::input, ""));
+            if (without) {
+                view.leaveOut(later);
+            } else if (hands) {
+                view.takeBack(*hands);
             }
         }
         layout.item("without hands");

@@ -30,6 +30,10 @@ bool WhatIfTool::update(Pointer const& pointer, bool pulling) {
     wire_ = {};
     if (!view_.atMoment()) {
         drag_.reset();
+        cutting_ = false;
+        if (!view_.active()) {
+            chosen_.clear();
+        }
         return false;
     }
     render::Point const at{pointer.world.x, pointer.world.y};

@@ -3,6 +3,7 @@
 #include "game/ui/panels/inspector.hpp"
 #include "game/ui/shared/texts.hpp"
 #include "game/ui/shared/words.hpp"
+#include "insight/whatif/settable.hpp"
 
 #include <algorithm>
 #include <string_view>
@@ -17,6 +18,27 @@ std::string spokenField(std::string const& key) {
     std::replace(spoken.begin(), spoken.end(), '_', ' ');
     return translated(spoken);
 }
+
+namespace {
+
+/// The amount as the widget that sets it shows it.
+std::string amountInWords(insight::SettableField const& field, insight::FieldAmount const& amount) {
+    if (field.type == FieldType::boolean) {
+        return text(amount.x != 0 ? "on" : "off");
+    }
+    if (auto const choice = static_cast<std::size_t>(amount.x); field.type == FieldType::choice) {
+        return choice < field.choices.size() ? spokenField(std::string(field.choices[choice])) : "";
+    }
+    bool const turned = field.unit.starts_with("rad");
+    double const scale = turned ? 180 / pi : 1;
+    std::string words = readable(amount.x * scale);
+    if (field.type == FieldType::vector) {
+        words = "(" + words + "; " + readable(amount.y * scale) + ")";
+    }
+    return words + (turned ? "°" + field.unit.substr(3) : field.unit.empty() ? "" : " " + field.unit);
+}
+
+} // namespace
 
 std::string wordsOf(insight::Change const& change, World const& world) {
     using Kind = insight::Change::Kind;
@@ -38,13 +60,16 @@ std::string wordsOf(insight::Change const& change, World const& world) {
         break;
     }
     std::string property = spokenField(change.property);
-    for (ColumnBase const* const column : world.store().columns()) {
-        if (column->info().text.key == change.property) {
-            property = translated(std::string(column->info().text.name));
+    std::string amount = readable(change.amount.x); // of an object that is gone by now
+    for (insight::SettableField const& field :
+         insight::settableFields(world, world.store().find(change.object))) {
+        if (field.property->text.key == change.property) {
+            property = translated(std::string(field.property->text.name));
+            amount = field.key == change.field ? amountInWords(field, change.amount) : amount;
         }
     }
     std::string const of = change.field == "value" ? property : property + ", " + spokenField(change.field);
-    return name + ": " + of + " = " + readable(change.amount.x);
+    return name + ": " + of + " = " + amount;
 }
 
 } // namespace trembler::ui

@@ -42,6 +42,11 @@ public:
     /// Ends it and forgets it.
     void forget();
     [[nodiscard]] bool busy() const { return job_ != nullptr; }
+    /// Whether any world runs in the background, also of questions that were forgotten.
+    [[nodiscard]] bool working() {
+        clearForgotten(false);
+        return busy() || !forgotten_.empty();
+    }
     /// The answer, once; nothing while it goes on.
     [[nodiscard]] std::optional<Found> take();
     struct Progress {

@@ -47,8 +47,10 @@ WhyPanel::WhyPanel(Registry const& registry, PartLibrary const& parts, std::shar
     : session_(session), said_(said), inquiry_(registry, parts, std::move(data)) {}
 
 bool WhyPanel::canAsk() const {
-    return session_.mode() == SessionMode::building ? last_.has_value() || !whyNot_.empty()
-                                                    : session_.world().frame() > 0;
+    if (session_.mode() != SessionMode::building) {
+        return session_.world().frame() > 0;
+    }
+    return last_ ? !placedOtherwise() : !whyNot_.empty();
 }
 
 std::optional<RunAsked> WhyPanel::runNow() const {
@@ -142,12 +144,18 @@ void WhyPanel::stopOrClose() {
 }
 
 bool WhyPanel::placedOtherwise() const {
-    std::vector<Placement> const now = placementsOf(session_.placed());
-    return !last_ || !std::equal(now.begin(), now.end(), last_->solution.placements.begin(),
-                                 last_->solution.placements.end(), [](auto const& a, auto const& b) {
-                                     return a.part == b.part && a.at == b.at && a.angle == b.angle &&
-                                            a.flipped == b.flipped;
-                                 });
+    if (!last_) {
+        return false;
+    }
+    Solution const now = session_.record("");
+    Solution const& then = last_->solution;
+    auto const samePlace = [](auto const& a, auto const& b) {
+        return a.part == b.part && a.at == b.at && a.angle == b.angle && a.flipped == b.flipped;
+    };
+    auto const sameWire = [](auto const& a, auto const& b) { return a.a == b.a && a.b == b.b; };
+    return !std::equal(now.placements.begin(), now.placements.end(), then.placements.begin(),
+                       then.placements.end(), samePlace) ||
+           !std::equal(now.wires.begin(), now.wires.end(), then.wires.begin(), then.wires.end(), sameWire);
 }
 
 void WhyPanel::pass() {

@@ -49,6 +49,8 @@ public:
     void stopOrClose();
     /// Something new may be seen in the next picture although nobody does anything.
     [[nodiscard]] bool busy() const { return inquiry_.busy(); }
+    /// See Inquiry::working().
+    [[nodiscard]] bool working() { return inquiry_.working(); }
     /// Once per picture.
     void pass();
     /// Draws the card between Gui::beginFrame and endFrame; see Inspector::draw. Returns the moment that the

@@ -28,10 +28,15 @@ TEST(GoalCounts, AreThoseOfTheLevel) {
 }
 
 TEST(GoalCounts, ReachedOnesFollowTheProgress) {
-    EXPECT_EQ(reachedOf({.progress = 0}, 3), 0);
-    EXPECT_EQ(reachedOf({.progress = 1.0 / 3}, 3), 1);
-    EXPECT_EQ(reachedOf({.progress = 0.5}, 3), 1);
-    EXPECT_EQ(reachedOf({.met = true}, 3), 3);
+    GoalStatus goal;
+    EXPECT_EQ(reachedOf(goal, 3), 0);
+    goal.progress = 1.0 / 3;
+    EXPECT_EQ(reachedOf(goal, 3), 1);
+    goal.progress = 0.5;
+    EXPECT_EQ(reachedOf(goal, 3), 1);
+    goal = {};
+    goal.met = true;
+    EXPECT_EQ(reachedOf(goal, 3), 3);
 }
 
 } // namespace

@@ -105,14 +105,12 @@ TEST(Keeping, DetailAndPeriodAreChangedWhileItRuns) {
     player.frames(3);
     EXPECT_EQ(player.session().world().options().detail.at("electricity"), "nodal");
     EXPECT_EQ(statusOf(player.session().world(), "Two-wire Electricity DPS").activity, Activity::absent);
+    player.scrollTo("components", "period of Electricity Resolver");
     Point const fixed = player.item("period of Electricity Resolver"); // it must run in every frame
     player.drag(fixed, fixed + Point{60, 0});
     player.frames(2);
     EXPECT_EQ(statusOf(player.session().world(), "Electricity Resolver").period, 1);
-    for (int notch = 0; notch < 30 && !player.shows("period of Magnetic Forces DPS"); ++notch) {
-        player.wheel(-1); // farther down in the list
-        player.frames(2);
-    }
+    player.scrollTo("components", "period of Magnetic Forces DPS");
     Point const field = player.item("period of Magnetic Forces DPS");
     player.drag(field, field + Point{60, 0});
     player.frames(2);

@@ -72,6 +72,10 @@ TEST_P(Layouts, NothingOverlapsAndNothingIsCut) {
     for (float const scale : {0.75F, 1.F, 1.35F, 1.6F}) {
         changeSettings(player.app().context(), {.uiScale = scale, .reducedMotion = true, .language = "en"});
         walkScreens(player, [&](std::string const& screen) {
+            if (screen == "edit-letters") {
+                return; // the keyboard lies over all else by design; LettersByPad.FitsIntoEverySize looks at
+                        // it
+            }
             std::string const where = screen + " at " + std::to_string(size.width) + "x" +
                                       std::to_string(size.height) + ", letters " +
                                       std::to_string(std::lround(100 * scale)) + " %";
