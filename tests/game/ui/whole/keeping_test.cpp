@@ -111,6 +111,8 @@ TEST(Keeping, DetailAndPeriodAreChangedWhileItRuns) {
     player.frames(2);
     EXPECT_EQ(statusOf(player.session().world(), "Electricity Resolver").period, 1);
     player.scrollTo("components", "period of Magnetic Forces DPS");
+    player.wheel(-1); // away from the edge of the list
+    player.frames(2);
     Point const field = player.item("period of Magnetic Forces DPS");
     player.drag(field, field + Point{60, 0});
     player.frames(2);
