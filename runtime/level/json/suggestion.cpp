@@ -3,16 +3,29 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numeric>
 
 namespace trembler {
 
-std::size_t editDistance(std::string_view a, std::string_view b) {
-    std::vector<std::size_t> beforeLast(b.size() + 1);
-    std::vector<std::size_t> last(b.size() + 1);
-    std::vector<std::size_t> row(b.size() + 1);
-    for (std::size_t j = 0; j <= b.size(); ++j) {
-        last[j] = j;
+std::size_t editDistance(std::string_view a, std::string_view b, std::size_t limit) {
+    // What both begin and end with costs nothing: the words of a file often differ in a number only.
+    while (!a.empty() && !b.empty() && a.front() == b.front()) {
+        a.remove_prefix(1);
+        b.remove_prefix(1);
     }
+    while (!a.empty() && !b.empty() && a.back() == b.back()) {
+        a.remove_suffix(1);
+        b.remove_suffix(1);
+    }
+    // Kept, because a file may ask for the distances of very many words.
+    thread_local std::vector<std::size_t> beforeLast;
+    thread_local std::vector<std::size_t> last;
+    thread_local std::vector<std::size_t> row;
+    for (auto* const line : {&beforeLast, &last, &row}) {
+        line->resize(b.size() + 1);
+    }
+    std::iota(last.begin(), last.end(), std::size_t{0});
+    std::size_t leastOfLast = 0;
     for (std::size_t i = 1; i <= a.size(); ++i) {
         row[0] = i;
         for (std::size_t j = 1; j <= b.size(); ++j) {
@@ -22,10 +35,16 @@ std::size_t editDistance(std::string_view a, std::string_view b) {
                 row[j] = std::min(row[j], beforeLast[j - 2] + 1);
             }
         }
+        // A row follows from the two before it, by steps that do not make it smaller.
+        std::size_t const least = *std::min_element(row.begin(), row.end());
+        if (least >= limit && leastOfLast >= limit) {
+            return limit;
+        }
+        leastOfLast = least;
         std::swap(beforeLast, last);
         std::swap(last, row);
     }
-    return last[b.size()];
+    return std::min(last[b.size()], limit);
 }
 
 std::optional<std::string> suggestion(std::string_view word, std::span<std::string const> known) {
@@ -41,7 +60,7 @@ std::optional<std::string> suggestion(std::string_view word, std::span<std::stri
         if (difference >= best) {
             continue;
         }
-        if (std::size_t const distance = editDistance(word, candidate); distance < best) {
+        if (std::size_t const distance = editDistance(word, candidate, best); distance < best) {
             best = distance;
             found = candidate;
         }

@@ -1,6 +1,7 @@
 // "Did you mean ...?": the known word that is nearest to an unknown one.
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -10,8 +11,10 @@
 namespace trembler {
 
 /// The least number of insertions, deletions, changes and swaps of neighbours that turn one word into the
-/// other (optimal string alignment distance). O(length × length).
-[[nodiscard]] std::size_t editDistance(std::string_view a, std::string_view b);
+/// other (optimal string alignment distance), or `limit` if it is at least that. O(length × length), without
+/// a common beginning and end, and O(length × limit) or less for words that differ from their beginning on.
+[[nodiscard]] std::size_t editDistance(std::string_view a, std::string_view b,
+                                       std::size_t limit = std::numeric_limits<std::size_t>::max());
 
 /// The nearest of the known words, if it is so near that it may be the intended word; the first of equally
 /// near ones.

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <map>
+#include <random>
 #include <set>
 
 namespace trembler {
@@ -71,6 +72,44 @@ TEST(EditDistance, IsBetweenTheNumbersOfStepsWithAndWithoutSwaps) {
     EXPECT_EQ(editDistance("ca", "abc"), 3U) << "2 with an insertion between swapped letters";
     EXPECT_EQ(editDistance("kitten", "sitting"), 3U);
     EXPECT_EQ(editDistance("ab", "ba"), 1U);
+}
+
+/// The recurrence as it is defined, for every pair of beginnings, without a limit.
+std::size_t byDefinition(std::string const& a, std::string const& b) {
+    std::vector<std::vector<std::size_t>> d(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
+    for (std::size_t i = 0; i <= a.size(); ++i) {
+        for (std::size_t j = 0; j <= b.size(); ++j) {
+            d[i][j] = std::max(i, j);
+            if (i > 0 && j > 0) {
+                std::size_t const change = a[i - 1] == b[j - 1] ? 0 : 1;
+                d[i][j] = std::min({d[i - 1][j] + 1, d[i][j - 1] + 1, d[i - 1][j - 1] + change});
+            }
+            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) {
+                d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
+            }
+        }
+    }
+    return d[a.size()][b.size()];
+}
+
+TEST(EditDistance, IsThatOfTheDefinitionUpToTheLimit) {
+    std::mt19937 random(7);
+    auto const anyWord = [&] {
+        std::string word(random() % 9, 'a');
+        for (char& letter : word) {
+            letter = static_cast<char>('a' + random() % 3);
+        }
+        return word;
+    };
+    for (int i = 0; i < 20'000; ++i) {
+        std::string const a = anyWord();
+        std::string const b = anyWord();
+        std::size_t const distance = byDefinition(a, b);
+        ASSERT_EQ(editDistance(a, b), distance) << a << " " << b;
+        for (std::size_t limit = 0; limit < 10; ++limit) {
+            ASSERT_EQ(editDistance(a, b, limit), std::min(distance, limit)) << a << " " << b << " " << limit;
+        }
+    }
 }
 
 TEST(Suggestion, FindsTypingErrorsAndNothingElse) {
