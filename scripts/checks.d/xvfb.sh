@@ -2,9 +2,13 @@
 # Plays in a window on a screen, as players have it, where other tests draw into a picture: with the mouse, with the
 # keyboard, with a gamepad, and while the window changes its size. The screen is one of Xvfb's, which nobody sees.
 set -euo pipefail
-program=build/tests/test_game_ui
+for program in {build,build-asan}/tests/test_game_ui; do
+    if [[ -x $program ]]; then
+        break
+    fi
+done
 if [[ ! -x $program ]]; then
-    echo "$program has not been built"
+    echo "build/tests/test_game_ui has not been built, nor that of the stage asan"
     exit 77
 fi
 if ! command -v Xvfb >/dev/null; then

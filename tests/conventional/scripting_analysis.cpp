@@ -34,13 +34,14 @@ int main(int count, char** arguments) try {
     auto const states = [&](std::string const& word) {
         return std::find(stated.begin(), stated.end(), word) != stated.end();
     };
-    if (stated.empty() ||
+    if (stated.empty() || stated.front().starts_with("--") ||
         stated.size() != 1U + (states("--times") ? 1U : 0U) + (states("--interactions") ? 1U : 0U)) {
         std::cerr << "usage: scripting_analysis PAGE [--times] [--interactions]\n";
         return 2;
     }
     std::ifstream file(stated.front());
     std::string page{std::istreambuf_iterator<char>(file), {}};
+    put(page, "first", ""); // refuses another page at once, and not after minutes of plays
     GameData const data;
     auto const compared = lua::analysis::compareAll(data, lua::analysis::comparedLevels(data), 100'000);
     for (auto const& comparison : compared) {

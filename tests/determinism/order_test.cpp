@@ -1,6 +1,7 @@
 // The order of entries in a level file, and the order in which a player places parts, never matter.
 #include "runtime/level/read/read_level.hpp"
 #include "tests/determinism/level_runs.hpp"
+#include "tests/support/attempts.hpp"
 #include "tests/support/sanitizer.hpp"
 
 #include <gtest/gtest.h>
@@ -19,12 +20,13 @@ void shuffle(nlohmann::json& list, std::mt19937& random) {
 }
 
 TEST(Order, OfEntriesInAFileNeverMatters) {
-    constexpr int attempts = test::underSanitizer ? 2 : 12;
+    // Reversed, and shuffled three times. TREMBLER_FUZZ=3 is the long version.
+    unsigned const attempts = test::underSanitizer ? 2 : test::attempts(4);
     std::mt19937 random(20120601);
     for (auto const& path : gameData().levels()) {
         auto const document = JsonDocument::load(path);
         auto const expected = hashesOf(readLevel(gameData().registry, document));
-        for (int attempt = 0; attempt < attempts; ++attempt) {
+        for (unsigned attempt = 0; attempt < attempts; ++attempt) {
             nlohmann::json shuffled = document->root();
             for (char const* const list : {"objects", "joints", "connections", "toolbox", "placing"}) {
                 if (shuffled.contains(list)) {

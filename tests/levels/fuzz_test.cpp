@@ -3,6 +3,7 @@
 #include "puzzle/goals/level_schema.hpp"
 #include "tests/levels/level_kit.hpp"
 #include "tests/levels/schema_validator.hpp"
+#include "tests/support/attempts.hpp"
 
 #include <gtest/gtest.h>
 
@@ -228,11 +229,8 @@ Outcome tryOut(std::string const& text) {
     }
 }
 
-/// TREMBLER_FUZZ=50 makes fifty times as many attempts; 0.1 a tenth.
 unsigned tries(unsigned usual) {
-    char const* const factor = std::getenv("TREMBLER_FUZZ");
-    double const times = factor == nullptr ? 1 : std::strtod(factor, nullptr);
-    return static_cast<unsigned>(std::max(100.0, usual * times));
+    return test::attempts(usual, 100);
 }
 
 TEST(LevelFuzzSample, Plays) {

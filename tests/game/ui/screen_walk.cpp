@@ -56,8 +56,15 @@ void lookAtWhatIf(Player& player, Look const& look) {
     look("level-what-if");
 }
 
+void openEditor(Player& player) {
+    auto const copy = testFolder() / walkedLevel.filename();
+    std::filesystem::copy_file(walkedLevel, copy, std::filesystem::copy_options::overwrite_existing);
+    player.app().edit(copy);
+    player.frames(4);
+}
+
 /// The report on the level, and what else solves it, of few runs.
-void walkStudies(Player& player, Look const& look) {
+void lookAtStudies(Player& player, Look const& look) {
     LevelStudies& studies = *dynamic_cast<EditScreen&>(player.app().screen()).parts().studies;
     studies.reportOptions.robustness.runs = 8;
     studies.reportOptions.drops = 8;
@@ -83,6 +90,52 @@ void askWhy(Player& player) {
     player.frames(2);
     player.key(SDLK_d);
     restPointer(player);
+}
+
+void walkEditorPages(Player& player, Look const& look, bool studies) {
+    openEditor(player);
+    auto const press = [&](SDL_Keycode key) {
+        player.key(key);
+        restPointer(player);
+    };
+    press(SDLK_F2);
+    look("edit-parts");
+    press(SDLK_F3);
+    look("edit-outline");
+    player.clickItem("object beam");
+    press(SDLK_F4);
+    look("edit-properties");
+    press(SDLK_F5);
+    player.clickItem("goal /all/1");
+    restPointer(player);
+    look("edit-goals");
+    press(SDLK_F6);
+    look("edit-level");
+    player.key(SDLK_F9);
+    player.frames(2);
+    player.key(SDLK_DOWN);
+    player.key(render::padKey(SDL_CONTROLLER_BUTTON_A)); // types the title by a gamepad
+    player.frames(settled);
+    look("edit-letters");
+    player.key(render::padKey(SDL_CONTROLLER_BUTTON_B));
+    player.frames(2);
+    player.key(SDLK_ESCAPE);
+    press(SDLK_F7);
+    look("edit-solutions");
+    if (studies) {
+        lookAtStudies(player, look);
+    }
+    press(SDLK_F8);
+    look("edit-problems");
+    player.key(SDLK_p, KMOD_LCTRL);
+    player.frames(settled);
+    look("edit-commands");
+    player.key(SDLK_ESCAPE);
+    player.frames(2);
+    press(SDLK_SPACE);
+    look("edit-test");
+    player.key(SDLK_ESCAPE);
+    player.frames(4);
 }
 
 } // namespace
@@ -189,50 +242,15 @@ void walkOthers(Player& player, Look const& look) {
 }
 
 void walkEditor(Player& player, Look const& look) {
-    auto const copy = testFolder() / walkedLevel.filename();
-    std::filesystem::copy_file(walkedLevel, copy, std::filesystem::copy_options::overwrite_existing);
-    player.app().edit(copy);
-    player.frames(4);
-    auto const press = [&](SDL_Keycode key) {
-        player.key(key);
-        restPointer(player);
-    };
-    press(SDLK_F2);
-    look("edit-parts");
-    press(SDLK_F3);
-    look("edit-outline");
-    player.clickItem("object beam");
-    press(SDLK_F4);
-    look("edit-properties");
-    press(SDLK_F5);
-    player.clickItem("goal /all/1");
-    restPointer(player);
-    look("edit-goals");
-    press(SDLK_F6);
-    look("edit-level");
-    player.key(SDLK_F9);
-    player.frames(2);
-    player.key(SDLK_DOWN);
-    player.key(render::padKey(SDL_CONTROLLER_BUTTON_A)); // types the title by a gamepad
-    player.frames(settled);
-    look("edit-letters");
-    player.key(render::padKey(SDL_CONTROLLER_BUTTON_B));
-    player.frames(2);
-    player.key(SDLK_ESCAPE);
-    press(SDLK_F7);
-    look("edit-solutions");
-    walkStudies(player, look);
-    press(SDLK_F8);
-    look("edit-problems");
-    player.key(SDLK_p, KMOD_LCTRL);
-    player.frames(settled);
-    look("edit-commands");
-    player.key(SDLK_ESCAPE);
-    player.frames(2);
-    press(SDLK_SPACE);
-    look("edit-test");
-    player.key(SDLK_ESCAPE);
-    player.frames(4);
+    walkEditorPages(player, look, true);
+}
+void walkEditorWithoutStudies(Player& player, Look const& look) {
+    walkEditorPages(player, look, false);
+}
+
+void walkStudies(Player& player, Look const& look) {
+    openEditor(player);
+    lookAtStudies(player, look);
 }
 
 } // namespace trembler::ui::test

@@ -22,6 +22,10 @@ void walkLevel(Player& player, Look const& look);
 void walkOthers(Player& player, Look const& look);
 /// The editor: every page of its panel, its dialogs, and a test.
 void walkEditor(Player& player, Look const& look);
+/// The same without the pages of walkStudies.
+void walkEditorWithoutStudies(Player& player, Look const& look);
+/// The editor's report on a level, and its search for solutions, which take longer than all other screens together.
+void walkStudies(Player& player, Look const& look);
 
 /// All of it.
 inline void walkScreens(Player& player, Look const& look) {

@@ -5,6 +5,7 @@
 #include "tests/game/ui/screen_walk.hpp"
 #include "tests/game/ui/tidy.hpp"
 
+#include <array>
 #include <cmath>
 #include <set>
 
@@ -66,24 +67,43 @@ protected:
     ~Layouts() override { window().setUiScaleRequest(1.F); }
 };
 
-TEST_P(Layouts, NothingOverlapsAndNothingIsCut) {
-    render::Size const size = GetParam();
-    Player player(size);
-    for (float const scale : {0.75F, 1.F, 1.35F, 1.6F}) {
-        changeSettings(player.app().context(), {.uiScale = scale, .reducedMotion = true, .language = "en"});
-        walkScreens(player, [&](std::string const& screen) {
-            if (screen == "edit-letters") {
-                return; // the keyboard lies over all else by design; LettersByPad.FitsIntoEverySize looks at
-                        // it
-            }
-            std::string const where = screen + " at " + std::to_string(size.width) + "x" +
-                                      std::to_string(size.height) + ", letters " +
-                                      std::to_string(std::lround(100 * scale)) + " %";
-            expectTidy(player, where);
-            expectReadable(where);
-            expectWordsFit(player, where);
-        });
+void setLetters(Player& player, float scale) {
+    changeSettings(player.app().context(), {.uiScale = scale, .reducedMotion = true, .language = "en"});
+}
+
+void expectInOrder(Player& player, std::string const& screen, float scale) {
+    if (screen == "edit-letters") {
+        return; // the keyboard lies over all else by design; LettersByPad.FitsIntoEverySize looks at it
     }
+    render::Size const size = window().size();
+    std::string const where = screen + " at " + std::to_string(size.width) + "x" +
+                              std::to_string(size.height) + ", letters " +
+                              std::to_string(std::lround(100 * scale)) + " %";
+    expectTidy(player, where);
+    expectReadable(where);
+    expectWordsFit(player, where);
+}
+
+constexpr std::array scales{0.75F, 1.F, 1.35F, 1.6F};
+
+TEST_P(Layouts, NothingOverlapsAndNothingIsCut) {
+    Player player(GetParam());
+    for (float const scale : scales) {
+        setLetters(player, scale);
+        auto const look = [&](std::string const& screen) { expectInOrder(player, screen, scale); };
+        walkMenus(player, look);
+        walkLevel(player, look);
+        walkOthers(player, look);
+        walkEditorWithoutStudies(player, look);
+    }
+    // Studied once for all sizes of letters, as that takes longer than the rest.
+    walkStudies(player, [&](std::string const& screen) {
+        for (float const scale : scales) {
+            setLetters(player, scale);
+            player.frames(8); // until all cards know their size
+            expectInOrder(player, screen, scale);
+        }
+    });
 }
 
 INSTANTIATE_TEST_SUITE_P(Sizes, Layouts,
