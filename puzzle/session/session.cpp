@@ -1,6 +1,7 @@
 #include "puzzle/session/session.hpp"
 
 #include "puzzle/session/check_solution.hpp"
+#include "puzzle/session/refused_solution.hpp"
 #include "runtime/level/build/placing.hpp"
 #include "runtime/level/json/add_problem.hpp"
 #include "runtime/level/json/diagnostic.hpp"
@@ -18,6 +19,15 @@ std::unique_ptr<LevelRun> Session::runOf(Placements::List const& placed,
                                          std::vector<LaidWire> const& wires) const {
     return std::make_unique<LevelRun>(registry_, parts_, level_, placementsOf(placed), options_,
                                       connectionsOf(wires, WireEnds(level_, parts_, placed)));
+}
+
+bool Session::canBuild(Placements::List const& placed) const {
+    try {
+        (void)runOf(placed, {});
+        return true;
+    } catch (InputError const&) {
+        return false;
+    }
 }
 
 SessionMode Session::mode() const {
@@ -256,7 +266,15 @@ void Session::load(Solution const& solution) {
     stop();
     Placements::List next = placements_.those(solution);
     std::vector<LaidWire> wires = wiresOf(solution, next);
-    auto run = runOf(next, wires);
+    std::unique_ptr<LevelRun> run;
+    try {
+        run = runOf(next, wires);
+    } catch (InputError const& error) {
+        auto const builds = [&](std::size_t count) {
+            return canBuild({next.begin(), next.begin() + static_cast<std::ptrdiff_t>(count)});
+        };
+        throw refusedSolution(level_, solution, builds, error);
+    }
     Problems problems;
     checkSolution(registry_, level_, *run, solution, problems); // in the world with all placements
     problems.throwIfAny();
