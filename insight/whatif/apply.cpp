@@ -1,5 +1,6 @@
 #include "insight/whatif/apply.hpp"
 
+#include "insight/whatif/moved_joints.hpp"
 #include "insight/whatif/pieces.hpp"
 #include "insight/whatif/settable.hpp"
 #include "runtime/placement.hpp"
@@ -13,7 +14,7 @@ namespace {
 
 char const* const changedWhy = "something was changed to see what becomes of it";
 
-/// Moves and turns all pieces of a part together, about the object's origin.
+/// Moves and turns all pieces of a part together, about the object's origin, and what holds them to the world.
 void place(World& world, Change const& change) {
     Store& store = world.store();
     ObjectId const object = store.find(change.object);
@@ -28,15 +29,17 @@ void place(World& world, Change const& change) {
     if (from == change.at && turn == 0) {
         return;
     }
-    for (ObjectId const piece : piecesWith(store, object)) {
+    PartMotion const motion{from, change.at, turn};
+    std::vector<ObjectId> const pieces = piecesWith(store, object);
+    for (ObjectId const piece : pieces) {
         if (Position const* const before = positions.find(piece)) {
-            Vec2 const arm = before->value - from;
-            positions.set(piece, {change.at + (turn == 0 ? arm : rotated(arm, turn))});
+            positions.set(piece, {motion.point(before->value)});
         }
         if (Rotation const* const before = rotations.find(piece); before != nullptr && turn != 0) {
             rotations.set(piece, {piece == object ? change.angle : before->angle + turn});
         }
     }
+    moveJoints(store, pieces, motion);
 }
 
 void feed(LevelRun& run, Change const& change) {
