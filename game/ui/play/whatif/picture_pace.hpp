@@ -24,8 +24,9 @@ public:
         if (frames_ == 0 || (left_ <= 0 && frames_ < mostFrames)) {
             return 0;
         }
-        double const room = perFrame_ > 0 ? std::max(left_, 0.0) / perFrame_ : 1;
-        // A batch is at most twice as large as the one before, as frames may suddenly cost more.
+        // Frames may suddenly cost more: so a batch is a part of the picture's work only, and at most twice as
+        // large as the one before.
+        double const room = perFrame_ > 0 ? std::clamp(left_, 0.0, budget / 4) / perFrame_ : 1;
         auto const most = std::min(frames_, std::max<std::uint64_t>(2 * last_, 1));
         return std::clamp<std::uint64_t>(static_cast<std::uint64_t>(std::min(room, 1e6)), 1, most);
     }
