@@ -32,6 +32,23 @@ constexpr std::array<KindText, 13> kindTexts{
      {StepKind::removed, "you removed {}", "because you removed {}"},
      {StepKind::placed, "you laid {} there before the start", "because you laid {} there before the start"}}};
 
+/// The same of events that only some effects record; the gaps are the first objects.
+struct EventText {
+    std::string_view event;
+    std::string_view main;
+    std::string_view because;
+};
+constexpr std::array<EventText, 9> eventTexts{
+    {{"leaves the liquid", "{} comes out of {}", "because {} comes out of {}"},
+     {"enters the air", "{} is in the air", "because {} is in the air"},
+     {"leaves the air", "{} is no longer in the air", "because {} is no longer in the air"},
+     {"blown", "{} blows", "because {} blows"},
+     {"joint overloaded", "{} is overloaded", "because {} is overloaded"},
+     {"created", "{} comes into being", "because {} comes into being"},
+     {"destroyed", "{} is gone", "because {} is gone"},
+     {"turns fast enough", "{} turns fast enough", "because {} turns fast enough"},
+     {"turns too slowly", "{} turns too slowly", "because {} turns too slowly"}}};
+
 } // namespace
 
 std::string Tongue::the(std::string const& name) const {
@@ -112,7 +129,12 @@ Clauses clausesOf(Step const& step, SceneFacts const& facts, std::string const& 
     if (at != kindTexts.end()) {
         return {tongue.say(at->main, objects), tongue.say(at->because, objects)};
     }
-    // What a resolver of another effect, or a script, records has its own words.
+    auto const known = std::find_if(eventTexts.begin(), eventTexts.end(),
+                                    [&](EventText const& text) { return text.event == step.what; });
+    if (known != eventTexts.end() && !step.objects.empty()) {
+        return {tongue.say(known->main, step.objects), tongue.say(known->because, step.objects)};
+    }
+    // What a script records has its own words.
     std::string const whose = objects.empty() ? std::string() : tongue.the(objects.front()) + ": ";
     std::string const text = whose + tongue.fill(step.what, {});
     return {text, tongue.fill("because of this: {}", {text})};

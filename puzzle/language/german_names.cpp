@@ -46,8 +46,11 @@ std::string_view weakEnding(std::string const& article, GermanCase use) {
     return n ? "en" : "e";
 }
 
-/// Of an adjective behind the indefinite article, or none.
+/// Of an adjective without an article, or, but for the dative, behind the indefinite one.
 std::string_view strongEnding(std::string const& article, GermanCase use) {
+    if (use == GermanCase::dative) {
+        return article == "die" ? "er" : "em";
+    }
     if (use == GermanCase::nominative) {
         return article == "der" ? "er" : article == "das" ? "es" : "e";
     }
@@ -78,8 +81,11 @@ GermanNames::GermanNames(nlohmann::json const& file) {
         if (space == std::string::npos) {
             continue;
         }
-        nouns_[english] = {german.substr(0, space), german.substr(space + 1, bar - space - 1),
-                           bar == std::string::npos ? std::string() : german.substr(bar + 1)};
+        std::size_t const second = bar == std::string::npos ? bar : german.find('|', bar + 1);
+        nouns_[english] = {
+            german.substr(0, space), german.substr(space + 1, bar - space - 1),
+            bar == std::string::npos ? std::string() : german.substr(bar + 1, second - bar - 1),
+            second == std::string::npos ? std::string() : german.substr(second + 1)};
     }
     adjectives_ = wordsIn(file, "adjectives");
     behind_ = wordsIn(file, "behind");
@@ -145,7 +151,8 @@ std::string GermanNames::definite(std::string const& name, GermanCase use) const
             found->numbered ? strongEnding(found->noun.article, use) : weakEnding(found->noun.article, use);
         text += stem + std::string(ending) + " ";
     }
-    return text + found->noun.word + found->behind;
+    bool const alone = found->numbered && found->adjectives.empty(); // "durch Magnet 2"
+    return text + (alone ? found->noun.word : found->noun.in(use)) + found->behind;
 }
 
 std::string GermanNames::indefinite(std::string const& name, GermanCase use) const {
@@ -158,7 +165,7 @@ std::string GermanNames::indefinite(std::string const& name, GermanCase use) con
         bool const dative = use == GermanCase::dative;
         text += stem + std::string(dative ? "en" : strongEnding(found->noun.article, use)) + " ";
     }
-    return text + found->noun.word + found->behind;
+    return text + found->noun.in(use) + found->behind;
 }
 
 std::string GermanNames::plural(std::string const& name, GermanCase use) const {
