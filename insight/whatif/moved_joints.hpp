@@ -1,6 +1,7 @@
 // The joints by which a part hangs on the world: they go along when the part is put elsewhere.
 #pragma once
 
+#include "runtime/math/vec2.hpp"
 #include "runtime/world/store.hpp"
 
 #include <span>
