@@ -170,7 +170,7 @@ TEST_F(WhatIfChanges, APlacedPartIsMovedAndRemoved) {
 // However long the run is, a picture computes a part of it: the window goes on, shows how far it is, and can
 // be told to stop.
 TEST_F(WhatIfChanges, TheWindowGoesOnWhileItIsComputed) {
-    std::uint64_t const frames = 8 * PicturePace::mostFrames;
+    std::uint64_t const frames = 24 * PicturePace::mostFrames;
     run(60, "wooden bar"); // which solves nothing
     player.key(SDLK_p); // goes on
     player.simulate(static_cast<int>(frames));
