@@ -16,7 +16,8 @@ namespace {
 
 char const* const changedWhy = "something was changed to see what becomes of it";
 
-/// Moves and turns all pieces of a part together, about the object's origin, and what holds them to the world.
+/// Moves and turns all pieces of a part together, about the object's origin, and what holds them to the
+/// world.
 void place(World& world, Change const& change) {
     Store& store = world.store();
     ObjectId const object = store.find(change.object);
@@ -95,7 +96,7 @@ int handOfGrab(std::span<RecordedInput const> inputs, WhatIf const& whatIf) {
     if (grab == nullptr) {
         return 1;
     }
-    std::array<bool, 2> holds{};   // at the moment
+    std::array<bool, 2> holds{};             // at the moment
     std::array<bool, 2> resting{true, true}; // later, as long as the grab lasts
     for (RecordedInput const& input : inputs) {
         if (!isOfHand(input) || input.frame > endOf(*grab, whatIf)) {

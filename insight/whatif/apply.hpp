@@ -8,10 +8,10 @@
 
 namespace trembler::insight {
 
-/// The hand that a what-if's grab has for itself, 0 or 1, by the inputs that are known of the run. A world has
-/// two hands, which files, recordings and scripts know as such; so it is one that holds nothing at the moment,
-/// of two such the one that holds nothing as long as the grab lasts, of two such the second. If both hold
-/// something, it is the second.
+/// The hand that a what-if's grab has for itself, 0 or 1, by the inputs that are known of the run. A world
+/// has two hands, which files, recordings and scripts know as such; so it is one that holds nothing at the
+/// moment, of two such the one that holds nothing as long as the grab lasts, of two such the second. If both
+/// hold something, it is the second.
 [[nodiscard]] int handOfGrab(std::span<RecordedInput const> inputs, WhatIf const& whatIf);
 
 /// Makes the changes in a run that has reached the frame of the what-if, between frames; the run then counts

@@ -12,7 +12,7 @@ namespace trembler::insight {
 struct Candidate {
     std::vector<LeftOut> leftOut;
     std::vector<std::size_t> steps; ///< of the story: all contacts of the pair, the placement, the input
-    bool several = false; ///< the steps are of several things, which cannot be left out one by one
+    bool several = false;           ///< the steps are of several things, which cannot be left out one by one
 };
 
 /// The pairs of objects that touch in the story, the placements, the inputs, and all that dips into liquids,

@@ -82,10 +82,10 @@ GermanNames::GermanNames(nlohmann::json const& file) {
             continue;
         }
         std::size_t const second = bar == std::string::npos ? bar : german.find('|', bar + 1);
-        nouns_[english] = {
-            german.substr(0, space), german.substr(space + 1, bar - space - 1),
-            bar == std::string::npos ? std::string() : german.substr(bar + 1, second - bar - 1),
-            second == std::string::npos ? std::string() : german.substr(second + 1)};
+        nouns_[english] = {german.substr(0, space), german.substr(space + 1, bar - space - 1),
+                           bar == std::string::npos ? std::string()
+                                                    : german.substr(bar + 1, second - bar - 1),
+                           second == std::string::npos ? std::string() : german.substr(second + 1)};
     }
     adjectives_ = wordsIn(file, "adjectives");
     behind_ = wordsIn(file, "behind");

@@ -65,7 +65,8 @@ SearchedLevel searchLevel(insight::LevelUnderTest const& level, std::filesystem:
     options.random = arguments.random;
     bool const many = keepSeconds;
     options.progress = [&](std::uint64_t done, std::size_t kinds) {
-        place.say(fmt::format("{}{} runs, {} kinds of solutions", many ? level.name() + ": " : "", done, kinds));
+        place.say(
+            fmt::format("{}{} runs, {} kinds of solutions", many ? level.name() + ": " : "", done, kinds));
     };
     double const begin = place.seconds();
     std::uint64_t const before = workers.done();

@@ -50,7 +50,9 @@ void sayAtLength(std::ostream& out, SearchedLevel const& level, ToldLevel const&
 
 nlohmann::ordered_json summaryOf(std::vector<SearchedLevel> const& levels, SolveArguments const& arguments,
                                  std::uint64_t runs, bool complete) {
-    auto const count = [&](auto const& solves) { return std::count_if(levels.begin(), levels.end(), solves); };
+    auto const count = [&](auto const& solves) {
+        return std::count_if(levels.begin(), levels.end(), solves);
+    };
     nlohmann::ordered_json all;
     all["seed"] = arguments.seed;
     all["runs"] = runs;
@@ -135,7 +137,8 @@ int solveLevels(SolveArguments const& arguments) {
     outputs.finish();
     if (!complete && !arguments.work.minutes) {
         std::cerr << "trembler: stopped; this is what was found so far"
-                  << (arguments.work.resume.empty() ? "" : ", and the same command goes on from there") << "\n";
+                  << (arguments.work.resume.empty() ? "" : ", and the same command goes on from there")
+                  << "\n";
     }
     bool const all = searched.size() == files.size() &&
                      std::all_of(searched.begin(), searched.end(),

@@ -25,7 +25,8 @@ std::string cell(std::string const& name) {
 }
 
 bool anyChance(std::vector<SearchedLevel> const& levels) {
-    return std::any_of(levels.begin(), levels.end(), [](auto const& level) { return level.chance.has_value(); });
+    return std::any_of(levels.begin(), levels.end(),
+                       [](auto const& level) { return level.chance.has_value(); });
 }
 
 } // namespace

@@ -32,18 +32,18 @@ Vec2 padDirection(render::InputEvents const& input) {
             held(SDL_CONTROLLER_BUTTON_DPAD_UP) - held(SDL_CONTROLLER_BUTTON_DPAD_DOWN)};
 }
 
-/// Keys that act on the screen while a card has the keyboard: function keys, and those with Ctrl; of a gamepad
-/// the buttons that its widgets do not use.
+/// Keys that act on the screen while a card has the keyboard: function keys, and those with Ctrl; of a
+/// gamepad the buttons that its widgets do not use.
 bool passesCard(SDL_Event const& event) {
     if (event.type != SDL_KEYDOWN) {
         return false;
     }
     SDL_Keycode const key = event.key.keysym.sym;
     if (render::isPadKey(key)) {
-        static constexpr std::array leads{
-            render::padKey(SDL_CONTROLLER_BUTTON_B), render::padKey(SDL_CONTROLLER_BUTTON_START),
-            render::padKey(SDL_CONTROLLER_BUTTON_LEFTSHOULDER),
-            render::padKey(SDL_CONTROLLER_BUTTON_RIGHTSHOULDER)};
+        static constexpr std::array leads{render::padKey(SDL_CONTROLLER_BUTTON_B),
+                                          render::padKey(SDL_CONTROLLER_BUTTON_START),
+                                          render::padKey(SDL_CONTROLLER_BUTTON_LEFTSHOULDER),
+                                          render::padKey(SDL_CONTROLLER_BUTTON_RIGHTSHOULDER)};
         return std::find(leads.begin(), leads.end(), key) != leads.end();
     }
     return (key >= SDLK_F1 && key <= SDLK_F12) || key == SDLK_ESCAPE ||

@@ -84,7 +84,7 @@ private:
     double fittedScale_ = 0;                   // of the interface
     float fittedTimeline_ = 0;                 // its height then, pixels at UI scale 1
     bool fastRefused_ = false;                 // the key for fast motion is held while building
-    bool dropDownWasOpen_ = false; // on that card, in the last picture
+    bool dropDownWasOpen_ = false;             // on that card, in the last picture
     double sinceStep_ = 0;                     // s, of the world
     double toldOfSlownessAt_ = 0;              // the last such speed
 };

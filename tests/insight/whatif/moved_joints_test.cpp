@@ -1,7 +1,7 @@
 // A part that is moved takes along what holds it to the world: afterwards its joints are those of a world in
 // which it was placed there from the start.
-#include "insight/whatif/moved_joints.hpp"
 #include "insight/whatif/apply.hpp"
+#include "insight/whatif/moved_joints.hpp"
 #include "physics/dynamics/properties/joint_anchors.hpp"
 #include "runtime/level/read/read_level.hpp"
 #include "runtime/placement.hpp"
@@ -17,10 +17,10 @@ namespace moved_joints_test {
 namespace {
 
 LevelFile levelFrom(std::string const& members) {
-    return readLevel(
-        testedData().registry,
-        JsonDocument::parse(R"({"version": 2, "title": "t", "world": {"gravity": [0, -9.81]}, )" + members + "}",
-                            "moved.json"));
+    return readLevel(testedData().registry,
+                     JsonDocument::parse(
+                         R"({"version": 2, "title": "t", "world": {"gravity": [0, -9.81]}, )" + members + "}",
+                         "moved.json"));
 }
 
 std::unique_ptr<LevelRun> runOf(LevelFile const& level, std::vector<Placement> const& placements = {}) {
@@ -40,8 +40,7 @@ Placement placed(std::string const& part, Vec2 at, double angle) {
 
 void move(LevelRun& run, std::string const& object, Vec2 at, double angle) {
     apply(testedData().registry, run,
-          {run.world().frame(),
-           {{.kind = Change::Kind::place, .object = object, .at = at, .angle = angle}}});
+          {run.world().frame(), {{.kind = Change::Kind::place, .object = object, .at = at, .angle = angle}}});
 }
 
 bool near(double a, double b) {
@@ -124,8 +123,7 @@ RC_GTEST_PROP(MovedJoints, AreThoseOfAPartThatWasPlacedThere, ()) {
 
 // A cog, whose axle is in the world, stays where it was put.
 TEST(MovedJoints, HoldThePartInItsNewPlace) {
-    LevelFile const level =
-        levelFrom(R"("objects": [], "toolbox": [{"part": "large cog", "count": 1}])");
+    LevelFile const level = levelFrom(R"("objects": [], "toolbox": [{"part": "large cog", "count": 1}])");
     auto const moved = runOf(level, {placed("large cog", {0, 0}, 0)});
     auto const there = runOf(level, {placed("large cog", {2, 1}, 0.5)});
     for (int frame = 0; frame < 20; ++frame) {

@@ -42,7 +42,8 @@ std::string because(Step const& step) {
 
 TEST(Clauses, InflectWhatTheyName) {
     EXPECT_EQ(said(step(StepKind::on, {"electromagnet"})), "durch den Elektromagneten fließt Strom");
-    EXPECT_EQ(said(step(StepKind::off, {"EM-North"})), "durch den Elektromagneten Nord fließt kein Strom mehr");
+    EXPECT_EQ(said(step(StepKind::off, {"EM-North"})),
+              "durch den Elektromagneten Nord fließt kein Strom mehr");
     EXPECT_EQ(said(step(StepKind::magnetOn, {"electromagnet"})), "der Elektromagnet wird magnetisch");
     EXPECT_EQ(because(step(StepKind::contact, {"iron ball", "electromagnet"})),
               "weil die Eisenkugel den Elektromagneten berührt");
@@ -50,7 +51,8 @@ TEST(Clauses, InflectWhatTheyName) {
               "weil der Schwimmer in das Wasser eintaucht");
     EXPECT_EQ(said(step(StepKind::cut, {"battery plus", "left contact"})),
               "du hast den Draht zwischen dem Pluspol und dem linken Kontakt durchgeschnitten");
-    EXPECT_EQ(said(step(StepKind::placed, {"bar magnet 1"})), "du hast Stabmagnet 1 vor dem Start dorthin gelegt");
+    EXPECT_EQ(said(step(StepKind::placed, {"bar magnet 1"})),
+              "du hast Stabmagnet 1 vor dem Start dorthin gelegt");
     EXPECT_EQ(said(step(StepKind::other, {"fuse"}, "blown")), "die Sicherung brennt durch");
     EXPECT_EQ(because(step(StepKind::other, {"cork", "water"}, "leaves the liquid")),
               "weil der Korken aus dem Wasser herauskommt");

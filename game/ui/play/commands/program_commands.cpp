@@ -15,8 +15,8 @@ void openMenu(PlayParts& parts) {
     parts.request = request::OpenMenu{page};
 }
 
-/// Ends one thing: the use of the scissors, the carrying or choice of parts, the inspector, the computing of a
-/// what-if, the what-if. If none of these goes on, opens the menu.
+/// Ends one thing: the use of the scissors, the carrying or choice of parts, the inspector, the computing of
+/// a what-if, the what-if. If none of these goes on, opens the menu.
 void back(PlayParts& parts) {
     if (parts.whatIfTool->cardHasKeys()) {
         parts.whatIfTool->giveCardKeys(false);

@@ -205,10 +205,7 @@ constexpr Command<PlayParts> timelineTable[] = {
                      "back",
               .help = "change numbers and effects of a what-if by keys",
               .padPhase = PadPhase::past},
-     .run =
-         [](PlayParts& parts) {
-             parts.whatIfTool->giveCardKeys(!parts.whatIfTool->cardHasKeys());
-         },
+     .run = [](PlayParts& parts) { parts.whatIfTool->giveCardKeys(!parts.whatIfTool->cardHasKeys()); },
      .available = [](PlayParts const& parts) { return parts.whatIf->active(); },
      .on = [](PlayParts const& parts) { return parts.whatIfTool->cardHasKeys(); }},
 };

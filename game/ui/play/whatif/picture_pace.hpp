@@ -10,7 +10,7 @@ namespace trembler::ui {
 /// Reads no clock itself. What is computed does not depend on it, only when. Any thread, one at a time.
 class PicturePace {
 public:
-    static constexpr double budget = 8e-3;         ///< s in one picture
+    static constexpr double budget = 8e-3;          ///< s in one picture
     static constexpr std::uint64_t mostFrames = 60; ///< in one picture
 
     /// A picture begins.
@@ -18,14 +18,14 @@ public:
         left_ = budget;
         frames_ = mostFrames;
     }
-    /// The size of the next batch in this picture; 0: enough. The first batch of a picture is never 0, so that
-    /// the slowest computer gets on.
+    /// The size of the next batch in this picture; 0: enough. The first batch of a picture is never 0, so
+    /// that the slowest computer gets on.
     [[nodiscard]] std::uint64_t next() const {
         if (frames_ == 0 || (left_ <= 0 && frames_ < mostFrames)) {
             return 0;
         }
-        // Frames may suddenly cost more: so a batch is a part of the picture's work only, and at most twice as
-        // large as the one before.
+        // Frames may suddenly cost more: so a batch is a part of the picture's work only, and at most twice
+        // as large as the one before.
         double const room = perFrame_ > 0 ? std::clamp(left_, 0.0, budget / 4) / perFrame_ : 1;
         auto const most = std::min(frames_, std::max<std::uint64_t>(2 * last_, 1));
         return std::clamp<std::uint64_t>(static_cast<std::uint64_t>(std::min(room, 1e6)), 1, most);

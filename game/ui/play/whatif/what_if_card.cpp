@@ -24,7 +24,7 @@ using insight::Change;
 constexpr float whatIfWidth = 300;
 constexpr float whatIfList = 132; ///< height of what scrolls, if there is room
 constexpr float leastList = 64;
-constexpr float whatIfRest = 206;  ///< height of the rest of the card, and a gap
+constexpr float whatIfRest = 206; ///< height of the rest of the card, and a gap
 
 std::string secondsAt(std::uint64_t frame) {
     return textWith("{:.2Lf} s", static_cast<double>(frame) / 60);

@@ -91,10 +91,9 @@ json timelessTable(std::string const& text) {
 
 TEST_F(SolveCommand, ComparesManyLevelsInOneTable) {
     std::string const other = levelFile("first/3-pass-it-on.json").string();
-    std::vector<std::string> const many{"solve",     good,         other,      "--runs",
-                                        "40",        "--frames",   "300",      "--no-hands",
-                                        "--compare", "--markdown", at("t.md"), "--json",
-                                        at("t.json")};
+    std::vector<std::string> const many{"solve",    good,     other,        "--runs",    "40",
+                                        "--frames", "300",    "--no-hands", "--compare", "--markdown",
+                                        at("t.md"), "--json", at("t.json")};
     Ran const ran = runProgram(many);
     ASSERT_LE(ran.status, 1) << ran.err;
     json const all = json::parse(contentsOf(at("t.json")));
@@ -117,8 +116,8 @@ TEST_F(SolveCommand, ComparesManyLevelsInOneTable) {
     EXPECT_NE(table.find("at random"), std::string::npos) << table;
     EXPECT_NE(ran.out.find("Solved by the search: "), std::string::npos) << ran.out;
     // One level of the table is what the command says of it alone.
-    Ran const alone = runProgram({"solve", good, "--runs", "40", "--frames", "300", "--no-hands", "--compare",
-                                  "--json"});
+    Ran const alone =
+        runProgram({"solve", good, "--runs", "40", "--frames", "300", "--no-hands", "--compare", "--json"});
     EXPECT_EQ(timeless(alone.out), timelessTable(contentsOf(at("t.json")))["levels"][0]);
 }
 
@@ -126,9 +125,8 @@ TEST_F(SolveCommand, GoesOnWithManyLevelsFromAJournal) {
     std::filesystem::create_directories(at("pack"));
     std::filesystem::copy_file(good, at("pack/a.json"));
     std::filesystem::copy_file(levelFile("first/3-pass-it-on.json"), at("pack/b.json"));
-    std::vector<std::string> const many{"solve",      at("pack"),     "--runs",    "40",
-                                        "--frames",   "300",          "--compare", "--json",
-                                        "--resume",   at("j.jsonl")};
+    std::vector<std::string> const many{"solve", at("pack"),  "--runs", "40",       "--frames",
+                                        "300",   "--compare", "--json", "--resume", at("j.jsonl")};
     RunAs how;
     how.meanwhile = [this](int process) { // in the middle of the first level, or later
         std::error_code error;
