@@ -8,8 +8,10 @@
 #include "tests/insight/support/tested_level.hpp"
 
 #include <fmt/format.h>
+#include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <cmath>
 #include <memory>
 
 namespace trembler::insight {
