@@ -49,6 +49,27 @@ constexpr std::array<EventText, 9> eventTexts{
      {"turns fast enough", "{} turns fast enough", "because {} turns fast enough"},
      {"turns too slowly", "{} turns too slowly", "because {} turns too slowly"}}};
 
+/// The part that an object is a piece of, if it was placed: "wire 1" of "wire 1 left end".
+std::string wholeOf(std::string const& piece, SceneFacts const& facts) {
+    auto const own = facts.placementOf.find(piece);
+    std::string whole = piece;
+    for (auto const& [name, placement] : facts.placementOf) {
+        if (own == facts.placementOf.end() || placement != own->second || name == piece) {
+            continue;
+        }
+        std::size_t same = 0;
+        while (same < whole.size() && same < name.size() && whole[same] == name[same]) {
+            ++same;
+        }
+        bool const atWords =
+            (same == whole.size() || whole[same] == ' ') && (same == name.size() || name[same] == ' ');
+        whole.resize(atWords                                       ? same
+                     : whole.rfind(' ', same) == std::string::npos ? 0
+                                                                   : whole.rfind(' ', same));
+    }
+    return whole.empty() ? piece : whole;
+}
+
 } // namespace
 
 std::string Tongue::the(std::string const& name) const {
@@ -121,6 +142,9 @@ Clauses clausesOf(Step const& step, SceneFacts const& facts, std::string const& 
         return {tongue.say("{} goes out", step.objects), tongue.say("because {} goes out", step.objects)};
     }
     std::vector<std::string> objects = step.objects;
+    if (step.kind == StepKind::placed && !objects.empty()) {
+        objects.front() = wholeOf(objects.front(), facts);
+    }
     if (objects.size() == 2 && facts.fixed.contains(objects[0]) && !facts.fixed.contains(objects[1])) {
         std::swap(objects[0], objects[1]); // what moves touches what does not
     }

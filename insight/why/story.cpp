@@ -84,11 +84,14 @@ private:
             addCircuits(all);
         }
         if (*kind == StepKind::goal) {
+            std::set<std::size_t> const stated = all[i]; // its causes, before others are added
             for (std::string const& name : event.objects) {
                 if (auto const at = latest_.find(name); at != latest_.end()) {
                     all[i].insert(at->second.begin(), at->second.end());
                 }
-                addImmersions(name, all[i]);
+                if (isAbout(stated, name)) {
+                    addImmersions(name, all[i]);
+                }
             }
         }
         if (*kind == StepKind::liquid) {
@@ -103,6 +106,15 @@ private:
                 }
             }
         }
+    }
+
+    /// Whether one of these events names the object, or there are none: a goal about any three boxes is not
+    /// about those that lie elsewhere.
+    [[nodiscard]] bool isAbout(std::set<std::size_t> const& stated, std::string const& name) const {
+        return stated.empty() || std::any_of(stated.begin(), stated.end(), [&](std::size_t i) {
+                   std::vector<std::string> const& objects = events_[i].objects;
+                   return std::find(objects.begin(), objects.end(), name) != objects.end();
+               });
     }
 
     /// What carries an object is the liquid that it is in, or that something is in to which it is tied.

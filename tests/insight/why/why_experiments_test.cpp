@@ -185,6 +185,8 @@ TEST(WhyExperiments, AFourthBoxIsOnDeckBecauseItWasPlacedThere) {
     EXPECT_TRUE(isSure(answer, placeIn(answer, StepKind::placed, {"cargo box 1"}))) << told(answer);
     EXPECT_LT(placeIn(answer, StepKind::contact, {"cargo box 1", "raft body"}), answer.chain.size());
     EXPECT_TRUE(isSure(answer, placeIn(answer, StepKind::liquid, {"flotation device A"}))) << told(answer);
+    EXPECT_EQ(placeIn(answer, StepKind::liquid, {"cargo 11"}), answer.chain.size())
+        << "what lies on the ground carries nothing: " << told(answer);
 }
 
 } // namespace
