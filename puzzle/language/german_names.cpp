@@ -109,6 +109,16 @@ std::optional<GermanNames::Parsed> GermanNames::parsed(std::string_view name) co
         }
     }
     std::size_t const first = name.find(' ');
+    // A number ends the name of a part, with its adjectives: "short wire 1 left end".
+    for (std::size_t at = first; at != std::string_view::npos; at = name.find(' ', at + 1)) {
+        std::string_view const before = name.substr(0, at);
+        auto piece =
+            isNumber(before.substr(before.rfind(' ') + 1)) ? parsed(name.substr(at + 1)) : std::nullopt;
+        if (piece && understands(std::string(before))) {
+            piece->behind += " (" + bare(std::string(before)) + ")";
+            return piece;
+        }
+    }
     if (auto const adjective = adjectives_.find(name.substr(0, first)); adjective != adjectives_.end()) {
         if (auto rest = parsed(name.substr(first + 1))) {
             rest->adjectives.insert(rest->adjectives.begin(), adjective->second);

@@ -56,6 +56,8 @@ TEST(GermanNames, KeepNumbersPlacesAndPieces) {
     EXPECT_EQ(all.definite("plank left", GermanCase::accusative), "das Brett links");
     EXPECT_EQ(all.definite("doorbell striker", GermanCase::accusative), "den Klöppel (Türklingel)");
     EXPECT_EQ(all.bare("doorbell 1 striker"), "Klöppel (Türklingel 1)");
+    EXPECT_EQ(all.definite("second doorbell 1 left striker", GermanCase::accusative),
+              "den linken Klöppel (zweite Türklingel 1)");
 }
 
 TEST(GermanNames, HaveAnotherFormInTheObliqueCases) {
