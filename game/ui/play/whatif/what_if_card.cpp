@@ -148,14 +148,17 @@ std::string outcome(WhatIfView const& view) {
     return words;
 }
 
-/// While it is computed: how far, and a button that stops it; once stopped, one that lets it go on.
+/// While it is computed: how far, and a button that stops it; once stopped, one that lets it go on. Else as
+/// much room, so that nothing moves when it begins or ends.
 void drawComputing(Layout& layout, WhatIfView& view) {
+    ImGui::PushFont(theme().fonts.small);
     if (!view.working()) {
+        ImGui::Dummy({0, ImGui::GetFrameHeight()});
+        ImGui::PopFont();
         return;
     }
     int const percent = static_cast<int>(100 * view.progress());
     bool const stopped = view.stopped();
-    ImGui::PushFont(theme().fonts.small);
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(textWith(stopped ? "Stopped at {} %" : "Computing: {} %", percent).c_str());
     ImGui::SameLine(0, scaled(8));

@@ -46,7 +46,7 @@ protected:
         for (int i = 0; i < 6000 && view().moving(); ++i) {
             player.frame();
         }
-        player.frames(2);
+        player.frames(4); // the card has found its size
     }
     WhatIfView const& view() { return player.play().whatIf(); }
     Vec2 placeOf(std::string const& name) { return placeIn(player.play().timeline().world(), name); }
@@ -113,11 +113,11 @@ TEST_F(WhatIfChanges, AnEffectIsLeftOut) {
     player.scrollTo("what if", "leave out");
     player.clickItem("leave out");
     player.frames(2);
-    std::string const magnetism = "without Dynamics <- Magnetic Forces";
+    std::string const magnetism = "without (Dynamics <- Magnetic Forces) Interaction";
     player.scrollTo("what if", magnetism);
     player.clickItem(magnetism);
     await();
-    EXPECT_EQ(onlyChange(Kind::interaction).object, "Dynamics <- Magnetic Forces");
+    EXPECT_EQ(onlyChange(Kind::interaction).object, "(Dynamics <- Magnetic Forces) Interaction");
     player.key(SDLK_END);
     player.frames(2);
     WhatIfView& changed = const_cast<WhatIfView&>(view()); // world() puts the frame on its stage
@@ -138,7 +138,7 @@ TEST_F(WhatIfChanges, AnEffectThatIsLeftOutIsTakenBackBesideIt) {
     player.scrollTo("what if", "leave out");
     player.clickItem("leave out");
     player.frames(2);
-    std::string const gravity = "without Dynamics <- Gravity";
+    std::string const gravity = "without (Dynamics <- Gravity) Interaction";
     player.scrollTo("what if", gravity);
     player.clickItem(gravity);
     await();
@@ -178,6 +178,7 @@ TEST_F(WhatIfChanges, TheWindowGoesOnWhileItIsComputed) {
     player.play().timeline().seek(20);
     player.frames(2);
     player.key(SDLK_z);
+    player.frames(2);
     ASSERT_TRUE(view().working());
     ASSERT_TRUE(player.shows("what if computing"));
     double const before = view().progress();

@@ -34,7 +34,7 @@ void await(Player& player) {
     for (int i = 0; i < 6000 && player.play().whatIf().moving(); ++i) {
         player.frame();
     }
-    player.frames(2);
+    player.frames(4); // the card has found its size
 }
 
 Vec2 ballAt(Player& player) {
