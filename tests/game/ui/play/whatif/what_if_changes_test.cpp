@@ -144,7 +144,9 @@ TEST_F(WhatIfChanges, AnEffectThatIsLeftOutIsTakenBackBesideIt) {
     await();
     ASSERT_EQ(view().whatIf().changes.size(), 1U);
     player.moveTo(player.layout().card("what if")->middle());
-    player.wheel(60); // to the top of the list
+    for (int i = 0; i < 40 && !player.shows("take back 0"); ++i) {
+        player.wheel(1);
+    }
     player.frames(2);
     player.clickItem("take back 0");
     await();
@@ -170,7 +172,7 @@ TEST_F(WhatIfChanges, APlacedPartIsMovedAndRemoved) {
 // However long the run is, a picture computes a part of it: the window goes on, shows how far it is, and can
 // be told to stop.
 TEST_F(WhatIfChanges, TheWindowGoesOnWhileItIsComputed) {
-    std::uint64_t const frames = 24 * PicturePace::mostFrames;
+    std::uint64_t const frames = 40 * PicturePace::mostFrames;
     run(60, "wooden bar"); // which solves nothing
     player.key(SDLK_p);    // goes on
     player.simulate(static_cast<int>(frames));
@@ -189,7 +191,7 @@ TEST_F(WhatIfChanges, TheWindowGoesOnWhileItIsComputed) {
     player.clickItem("timeline track");
     EXPECT_NE(player.play().timeline().frame(), 20U);
     player.play().timeline().seek(20);
-    player.frame();
+    player.frames(4); // the card has found its size
     ASSERT_TRUE(view().working());
     player.clickItem("what if computing");
     ASSERT_TRUE(view().stopped());
@@ -202,7 +204,8 @@ TEST_F(WhatIfChanges, TheWindowGoesOnWhileItIsComputed) {
     player.frames(2);
     EXPECT_GT(view().progress(), stoppedAt);
     player.key(SDLK_ESCAPE);
-    EXPECT_TRUE(view().stopped()) << "the first one stops the computing";
+    EXPECT_TRUE(view().stopped()) << "the first one stops the computing, at " << view().progress() << " of "
+                                  << player.play().timeline().last();
     player.key(SDLK_ESCAPE);
     EXPECT_FALSE(view().active()) << "the second one ends the what-if";
 }
