@@ -86,12 +86,13 @@ private:
         if (*kind == StepKind::goal) {
             std::set<std::size_t> const stated = all[i]; // its causes, before others are added
             for (std::string const& name : event.objects) {
+                if (!isAbout(stated, name)) {
+                    continue;
+                }
                 if (auto const at = latest_.find(name); at != latest_.end()) {
                     all[i].insert(at->second.begin(), at->second.end());
                 }
-                if (isAbout(stated, name)) {
-                    addImmersions(name, all[i]);
-                }
+                addImmersions(name, all[i]);
             }
         }
         if (*kind == StepKind::liquid) {
