@@ -62,13 +62,13 @@ TEST(Clauses, InflectWhatTheyName) {
 TEST(Clauses, NameThePartThatWasPlaced) {
     SceneFacts facts;
     facts.placementOf = {{"wire 1 left end", 0}, {"wire 1 link 1", 0},    {"wire 1 right end", 0},
-                         {"wire 2 left end", 1}, {"wire 2 right end", 1}, {"iron ball 1", 2}};
+                         {"wire 2 left end", 1}, {"wire 2 right end", 1}, {"spanner 1", 2}};
     auto const placed = [&](std::string const& object) {
         return clausesOf(step(StepKind::placed, {object}), facts, "", Tongue()).main;
     };
-    EXPECT_EQ(placed("wire 1 right end"), "you laid the wire 1 there before the start");
-    EXPECT_EQ(placed("wire 2 left end"), "you laid the wire 2 there before the start");
-    EXPECT_EQ(placed("iron ball 1"), "you laid the iron ball 1 there before the start");
+    EXPECT_EQ(placed("wire 1 right end"), "you laid wire 1 there before the start");
+    EXPECT_EQ(placed("wire 2 left end"), "you laid wire 2 there before the start");
+    EXPECT_EQ(placed("spanner 1"), "you laid spanner 1 there before the start");
 }
 
 /// Every part is named with an article that fits its gender and the case; the cases of a masculine noun
