@@ -80,17 +80,16 @@ Registry const& LevelRuns::registryWithout(std::set<std::string> const& effects)
     if (effects.empty()) {
         return registry_;
     }
-    if (data_ == nullptr) {
-        throw std::invalid_argument("no effect can be left out here");
-    }
     std::scoped_lock const lock(registriesMutex_);
     auto& made = registries_[effects];
     if (made == nullptr) {
         auto registry = std::make_unique<Registry>();
         registerEffects(*registry, effects);
-        Problems problems;
-        (void)lua::registerMods(*registry, data_->mods, data_->scriptLog, problems);
-        problems.throwIfAny(); // a script calls the effect
+        if (data_ != nullptr) {
+            Problems problems;
+            (void)lua::registerMods(*registry, data_->mods, data_->scriptLog, problems);
+            problems.throwIfAny(); // a script calls the effect
+        }
         made = std::move(registry);
     }
     return *made;

@@ -49,8 +49,7 @@ class LevelRuns {
 public:
     /// `data` must outlive it. `detail` overrides the detail levels that the level states.
     LevelRuns(GameData const& data, LevelFile level, std::map<std::string, std::string> const& detail = {});
-    /// Of a program that has them without mods. All effects are run: a variation without one is a fault. Both
-    /// must outlive it.
+    /// Of a program that has them without mods. Both must outlive it.
     LevelRuns(Registry const& registry, PartLibrary const& parts, LevelFile level);
     LevelRuns(LevelRuns const&) = delete;
     LevelRuns& operator=(LevelRuns const&) = delete;
@@ -72,7 +71,7 @@ private:
 
     Registry const& registry_;
     PartLibrary const& parts_;
-    GameData const* data_; // nullptr: unknown
+    GameData const* data_; // nullptr: no mods
     LevelFile level_;
     // By the effects that are left out; made when first needed.
     mutable std::mutex registriesMutex_;

@@ -1,19 +1,23 @@
 #include "insight/whatif/apply.hpp"
 
+#include "insight/whatif/moved_joints.hpp"
 #include "insight/whatif/pieces.hpp"
 #include "insight/whatif/settable.hpp"
 #include "runtime/placement.hpp"
 
 #include <algorithm>
+#include <array>
 #include <set>
 #include <stdexcept>
+#include <utility>
 
 namespace trembler::insight {
 namespace {
 
 char const* const changedWhy = "something was changed to see what becomes of it";
 
-/// Moves and turns all pieces of a part together, about the object's origin.
+/// Moves and turns all pieces of a part together, about the object's origin, and what holds them to the
+/// world.
 void place(World& world, Change const& change) {
     Store& store = world.store();
     ObjectId const object = store.find(change.object);
@@ -28,18 +32,20 @@ void place(World& world, Change const& change) {
     if (from == change.at && turn == 0) {
         return;
     }
-    for (ObjectId const piece : piecesWith(store, object)) {
+    PartMotion const motion{from, change.at, turn};
+    std::vector<ObjectId> const pieces = piecesWith(store, object);
+    for (ObjectId const piece : pieces) {
         if (Position const* const before = positions.find(piece)) {
-            Vec2 const arm = before->value - from;
-            positions.set(piece, {change.at + (turn == 0 ? arm : rotated(arm, turn))});
+            positions.set(piece, {motion.point(before->value)});
         }
         if (Rotation const* const before = rotations.find(piece); before != nullptr && turn != 0) {
             rotations.set(piece, {piece == object ? change.angle : before->angle + turn});
         }
     }
+    moveJoints(store, pieces, motion);
 }
 
-void feed(LevelRun& run, Change const& change) {
+void feed(LevelRun& run, Change const& change, int hand) {
     Store const& store = run.world().store();
     ObjectId const object = store.find(change.object);
     if (!object.valid()) {
@@ -55,7 +61,7 @@ void feed(LevelRun& run, Change const& change) {
             run.feed({Kind::cut, object, other, {}});
         }
     } else {
-        run.feed({Kind::grab, object, {}, change.at, static_cast<std::uint8_t>(1)});
+        run.feed({Kind::grab, object, {}, change.at, static_cast<std::uint8_t>(hand)});
     }
 }
 
@@ -66,9 +72,55 @@ void leaveOut(World& world, std::string const& interaction) {
     }
 }
 
+/// The grab of a what-if, which has one at most, or nullptr.
+Change const* grabOf(WhatIf const& whatIf) {
+    auto const at = std::find_if(whatIf.changes.begin(), whatIf.changes.end(),
+                                 [](Change const& change) { return change.kind == Change::Kind::grab; });
+    return at == whatIf.changes.end() ? nullptr : &*at;
+}
+
+/// The frame in which it lets go.
+std::uint64_t endOf(Change const& grab, WhatIf const& whatIf) {
+    return whatIf.frame + 1 + std::max<std::uint64_t>(grab.frames, 1);
+}
+
+bool isOfHand(RecordedInput const& input) {
+    return input.kind == PlayerInput::Kind::grab || input.kind == PlayerInput::Kind::move ||
+           input.kind == PlayerInput::Kind::release;
+}
+
 } // namespace
 
-void apply(Registry const& registry, LevelRun& run, WhatIf const& whatIf) {
+int handOfGrab(std::span<RecordedInput const> inputs, WhatIf const& whatIf) {
+    Change const* const grab = grabOf(whatIf);
+    if (grab == nullptr) {
+        return 1;
+    }
+    std::array<bool, 2> holds{};             // at the moment
+    std::array<bool, 2> resting{true, true}; // later, as long as the grab lasts
+    for (RecordedInput const& input : inputs) {
+        if (!isOfHand(input) || input.frame > endOf(*grab, whatIf)) {
+            continue;
+        }
+        std::size_t const hand = input.hand == 1 ? 1 : 0;
+        if (input.frame <= whatIf.frame) {
+            holds[hand] = input.kind == PlayerInput::Kind::grab ||
+                          (input.kind == PlayerInput::Kind::move && holds[hand]);
+        } else {
+            resting[hand] = resting[hand] && input.kind != PlayerInput::Kind::grab;
+        }
+    }
+    for (bool const throughout : {true, false}) {
+        for (std::size_t const hand : {std::size_t{1}, std::size_t{0}}) {
+            if (!holds[hand] && (resting[hand] || !throughout)) {
+                return static_cast<int>(hand);
+            }
+        }
+    }
+    return 1;
+}
+
+void apply(Registry const& registry, LevelRun& run, WhatIf const& whatIf, int hand) {
     run.alter(changedWhy, [&](World& world) {
         for (Change const& change : whatIf.changes) {
             if (change.kind == Change::Kind::place) {
@@ -84,32 +136,29 @@ void apply(Registry const& registry, LevelRun& run, WhatIf const& whatIf) {
     for (Change const& change : whatIf.changes) {
         if (change.kind == Change::Kind::remove || change.kind == Change::Kind::cut ||
             change.kind == Change::Kind::grab) {
-            feed(run, change);
+            feed(run, change, hand);
         }
     }
 }
 
-std::vector<RecordedInput> inputsOfGrabs(WhatIf const& whatIf) {
-    std::vector<RecordedInput> all;
-    for (Change const& change : whatIf.changes) {
-        if (change.kind != Change::Kind::grab) {
-            continue;
-        }
-        RecordedInput input;
-        input.object = change.object;
-        input.at = change.to;
-        input.hand = 1;
-        input.kind = PlayerInput::Kind::move;
-        input.frame = whatIf.frame + 2;
-        all.push_back(input);
-        input.kind = PlayerInput::Kind::release;
-        input.frame = whatIf.frame + 1 + std::max<std::uint64_t>(change.frames, 1);
-        all.push_back(input);
+std::vector<RecordedInput> inputsOfGrabs(WhatIf const& whatIf, int hand) {
+    Change const* const grab = grabOf(whatIf);
+    if (grab == nullptr) {
+        return {};
     }
-    return all;
+    RecordedInput move;
+    move.kind = PlayerInput::Kind::move;
+    move.object = grab->object;
+    move.at = grab->to;
+    move.hand = hand;
+    move.frame = whatIf.frame + 2;
+    RecordedInput release = move;
+    release.kind = PlayerInput::Kind::release;
+    release.frame = endOf(*grab, whatIf);
+    return {move, release};
 }
 
-std::vector<RecordedInput> inputsLeft(std::span<RecordedInput const> inputs, WhatIf const& whatIf) {
+std::vector<RecordedInput> inputsLeft(std::span<RecordedInput const> inputs, WhatIf const& whatIf, int hand) {
     std::set<std::size_t> gone;
     for (Change const& change : whatIf.changes) {
         if (change.kind == Change::Kind::input && change.index < inputs.size() &&
@@ -117,17 +166,22 @@ std::vector<RecordedInput> inputsLeft(std::span<RecordedInput const> inputs, Wha
             gone.insert(change.index);
         }
     }
+    Change const* const grab = grabOf(whatIf);
     std::vector<RecordedInput> left;
-    bool released[2] = {false, false}; // hands whose grab is left out
+    std::array<bool, 2> without{}; // hands whose grab is left out
+    bool taken = false;            // the hand has been needed for the grab of the what-if
     for (std::size_t i = 0; i < inputs.size(); ++i) {
         RecordedInput const& input = inputs[i];
-        bool const ofHand = input.kind == PlayerInput::Kind::grab || input.kind == PlayerInput::Kind::move ||
-                            input.kind == PlayerInput::Kind::release;
-        bool& without = released[input.hand == 1 ? 1 : 0];
-        if (input.kind == PlayerInput::Kind::grab) {
-            without = gone.count(i) > 0;
+        bool const own = grab != nullptr && isOfHand(input) && input.hand == hand;
+        if (own && input.frame > whatIf.frame && !std::exchange(taken, true)) {
+            without[hand == 1 ? 1 : 0] = true; // what it held, it let go of
         }
-        if (gone.count(i) == 0 && !(ofHand && without)) {
+        bool const during = own && input.frame > whatIf.frame && input.frame <= endOf(*grab, whatIf);
+        bool& released = without[input.hand == 1 ? 1 : 0];
+        if (input.kind == PlayerInput::Kind::grab) {
+            released = during || gone.count(i) > 0;
+        }
+        if (gone.count(i) == 0 && !(isOfHand(input) && released)) {
             left.push_back(input);
         }
     }

@@ -60,8 +60,8 @@ void OtherRun::step() {
         changesKnown_ = session_.changes().size();
         std::vector<RecordedChange> const changes(session_.changes().begin(), session_.changes().end());
         realInputs_ = Playback({session_.inputs().begin(), session_.inputs().end()}, changes);
-        std::vector<RecordedInput> inputs = inputsLeft(session_.inputs(), whatIf_);
-        std::vector<RecordedInput> const own = inputsOfGrabs(whatIf_);
+        std::vector<RecordedInput> inputs = inputsLeft(session_.inputs(), whatIf_, hand_);
+        std::vector<RecordedInput> const own = inputsOfGrabs(whatIf_, hand_);
         inputs.insert(inputs.end(), own.begin(), own.end());
         std::vector<RecordedChange> others = changes; // a period would apply again what is left out
         std::erase_if(others, [this](RecordedChange const& change) {
@@ -72,7 +72,7 @@ void OtherRun::step() {
         });
         otherInputs_ = Playback(std::move(inputs), std::move(others));
     } else if (inputsKnown_ == 0 && changesKnown_ == 0 && frame() == whatIf_.frame) {
-        otherInputs_ = Playback(inputsOfGrabs(whatIf_), {});
+        otherInputs_ = Playback(inputsOfGrabs(whatIf_, hand_), {});
     }
     realInputs_.feed(*real_);
     otherInputs_.feed(*other_);
@@ -91,7 +91,10 @@ void OtherRun::step() {
 }
 
 void OtherRun::change() {
-    apply(registry_, *other_, whatIf_);
+    hand_ = handOfGrab(session_.inputs(), whatIf_);
+    inputsKnown_ = 0; // those of the other run depend on it
+    changesKnown_ = 0;
+    apply(registry_, *other_, whatIf_, hand_);
     recording_.begin(other_->world(), other_->judge());
     notePaths();
 }

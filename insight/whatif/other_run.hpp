@@ -76,6 +76,7 @@ private:
     std::size_t inputsKnown_ = 0;
     std::size_t changesKnown_ = 0;
     bool objectsOnly_ = false; // an interaction is left out
+    int hand_ = 1;             // of a grab
     Recording recording_{mostBytes};
     std::optional<std::uint64_t> differs_;
     std::map<ObjectId, OtherPath> paths_;

@@ -63,6 +63,7 @@ std::vector<Candidate> candidatesOf(Story const& story, SceneFacts const& facts,
                                     bool everything) {
     std::vector<Candidate> all;
     std::map<Pair, std::size_t> contacts;
+    std::vector<std::size_t> immersed;
     std::vector<std::size_t> const& proximate = story.askedStep().because;
     for (std::size_t i = 0; i < story.steps.size(); ++i) {
         Step const& step = story.steps[i];
@@ -92,6 +93,11 @@ std::vector<Candidate> candidatesOf(Story const& story, SceneFacts const& facts,
             leftOut = {withoutContact(pair.first, pair.second, isFirst ? 1 : step.frame)};
             break;
         }
+        case StepKind::liquid:
+            if (i != story.asked) {
+                immersed.push_back(i);
+            }
+            continue;
         case StepKind::placed:
             leftOut = {withoutPlacement(facts.placementOf.at(step.objects.front()))};
             break;
@@ -110,6 +116,10 @@ std::vector<Candidate> candidatesOf(Story const& story, SceneFacts const& facts,
         if (!leftOut.empty()) {
             all.push_back({std::move(leftOut), {i}});
         }
+    }
+    if (!immersed.empty()) {
+        bool const several = immersed.size() > 1;
+        all.push_back({{withoutEffect("buoyancy")}, std::move(immersed), several});
     }
     return all;
 }

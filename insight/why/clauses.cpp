@@ -32,6 +32,44 @@ constexpr std::array<KindText, 13> kindTexts{
      {StepKind::removed, "you removed {}", "because you removed {}"},
      {StepKind::placed, "you laid {} there before the start", "because you laid {} there before the start"}}};
 
+/// The same of events that only some effects record; the gaps are the first objects.
+struct EventText {
+    std::string_view event;
+    std::string_view main;
+    std::string_view because;
+};
+constexpr std::array<EventText, 9> eventTexts{
+    {{"leaves the liquid", "{} comes out of {}", "because {} comes out of {}"},
+     {"enters the air", "{} is in the air", "because {} is in the air"},
+     {"leaves the air", "{} is no longer in the air", "because {} is no longer in the air"},
+     {"blown", "{} blows", "because {} blows"},
+     {"joint overloaded", "{} is overloaded", "because {} is overloaded"},
+     {"created", "{} comes into being", "because {} comes into being"},
+     {"destroyed", "{} is gone", "because {} is gone"},
+     {"turns fast enough", "{} turns fast enough", "because {} turns fast enough"},
+     {"turns too slowly", "{} turns too slowly", "because {} turns too slowly"}}};
+
+/// The part that an object is a piece of, if it was placed: "wire 1" of "wire 1 left end".
+std::string wholeOf(std::string const& piece, SceneFacts const& facts) {
+    auto const own = facts.placementOf.find(piece);
+    std::string whole = piece;
+    for (auto const& [name, placement] : facts.placementOf) {
+        if (own == facts.placementOf.end() || placement != own->second || name == piece) {
+            continue;
+        }
+        std::size_t same = 0;
+        while (same < whole.size() && same < name.size() && whole[same] == name[same]) {
+            ++same;
+        }
+        bool const atWords =
+            (same == whole.size() || whole[same] == ' ') && (same == name.size() || name[same] == ' ');
+        whole.resize(atWords                                       ? same
+                     : whole.rfind(' ', same) == std::string::npos ? 0
+                                                                   : whole.rfind(' ', same));
+    }
+    return whole.empty() ? piece : whole;
+}
+
 } // namespace
 
 std::string Tongue::the(std::string const& name) const {
@@ -104,6 +142,9 @@ Clauses clausesOf(Step const& step, SceneFacts const& facts, std::string const& 
         return {tongue.say("{} goes out", step.objects), tongue.say("because {} goes out", step.objects)};
     }
     std::vector<std::string> objects = step.objects;
+    if (step.kind == StepKind::placed && !objects.empty()) {
+        objects.front() = wholeOf(objects.front(), facts);
+    }
     if (objects.size() == 2 && facts.fixed.contains(objects[0]) && !facts.fixed.contains(objects[1])) {
         std::swap(objects[0], objects[1]); // what moves touches what does not
     }
@@ -112,7 +153,12 @@ Clauses clausesOf(Step const& step, SceneFacts const& facts, std::string const& 
     if (at != kindTexts.end()) {
         return {tongue.say(at->main, objects), tongue.say(at->because, objects)};
     }
-    // What a resolver of another effect, or a script, records has its own words.
+    auto const known = std::find_if(eventTexts.begin(), eventTexts.end(),
+                                    [&](EventText const& text) { return text.event == step.what; });
+    if (known != eventTexts.end() && !step.objects.empty()) {
+        return {tongue.say(known->main, step.objects), tongue.say(known->because, step.objects)};
+    }
+    // What a script records has its own words.
     std::string const whose = objects.empty() ? std::string() : tongue.the(objects.front()) + ": ";
     std::string const text = whose + tongue.fill(step.what, {});
     return {text, tongue.fill("because of this: {}", {text})};

@@ -1,6 +1,7 @@
 #include "insight/why/scene_facts.hpp"
 
 #include "physics/dynamics/properties/body.hpp"
+#include "physics/dynamics/properties/joint.hpp"
 #include "physics/electricity/properties/electrical.hpp"
 #include "puzzle/goals/words/lamp.hpp"
 #include "runtime/placement.hpp"
@@ -19,6 +20,27 @@ std::set<std::string> ownersOf(Store const& store) {
     return names;
 }
 
+/// The objects that joints connect with one another, through others as well; fixed ones connect nothing.
+std::map<std::string, std::set<std::string>> tiedIn(Store const& store) {
+    std::map<std::string, std::set<std::string>> tied;
+    auto const* const joints = store.findColumn<Joint>();
+    for (ObjectId const id : joints == nullptr ? std::span<ObjectId const>() : joints->owners()) {
+        Joint const& joint = *joints->find(id);
+        if (!joint.b.valid() || store.has<Fixed>(joint.a) || store.has<Fixed>(joint.b)) {
+            continue;
+        }
+        std::string const a = store.nameOf(joint.a);
+        std::string const b = store.nameOf(joint.b);
+        std::set<std::string> all{a, b};
+        all.insert(tied[a].begin(), tied[a].end());
+        all.insert(tied[b].begin(), tied[b].end());
+        for (std::string const& name : all) {
+            tied[name] = all;
+        }
+    }
+    return tied;
+}
+
 } // namespace
 
 SceneFacts factsOf(LevelRun const& run) {
@@ -27,6 +49,7 @@ SceneFacts factsOf(LevelRun const& run) {
     SceneFacts facts;
     facts.fixed = ownersOf<Fixed>(store);
     facts.conductors = ownersOf<Conductor>(store);
+    facts.tied = tiedIn(store);
     if (auto const* const positions = store.findColumn<Position>()) {
         for (ObjectId const id : positions->owners()) {
             std::string const name = store.nameOf(id);

@@ -84,17 +84,47 @@ private:
             addCircuits(all);
         }
         if (*kind == StepKind::goal) {
+            std::set<std::size_t> const stated = all[i]; // its causes, before others are added
             for (std::string const& name : event.objects) {
+                if (!isAbout(stated, name)) {
+                    continue;
+                }
                 if (auto const at = latest_.find(name); at != latest_.end()) {
                     all[i].insert(at->second.begin(), at->second.end());
                 }
+                addImmersions(name, all[i]);
             }
+        }
+        if (*kind == StepKind::liquid) {
+            immersed_[event.objects] = i;
+        } else if (event.event == "leaves the liquid") {
+            immersed_.erase(event.objects);
         }
         if (*kind == StepKind::contact || *kind == StepKind::pull) {
             for (std::string const& name : event.objects) {
                 if (!facts_.fixed.contains(name)) {
                     latest_[name] = {i};
                 }
+            }
+        }
+    }
+
+    /// Whether one of these events names the object, or there are none: a goal about any three boxes is not
+    /// about those that lie elsewhere.
+    [[nodiscard]] bool isAbout(std::set<std::size_t> const& stated, std::string const& name) const {
+        return stated.empty() || std::any_of(stated.begin(), stated.end(), [&](std::size_t i) {
+                   std::vector<std::string> const& objects = events_[i].objects;
+                   return std::find(objects.begin(), objects.end(), name) != objects.end();
+               });
+    }
+
+    /// What carries an object is the liquid that it is in, or that something is in to which it is tied.
+    void addImmersions(std::string const& name, std::set<std::size_t>& causes) const {
+        auto const tied = facts_.tied.find(name);
+        for (auto const& [objects, event] : immersed_) {
+            std::string const& dipped = objects.front();
+            if (dipped == name || (tied != facts_.tied.end() && tied->second.contains(dipped))) {
+                causes.insert(event);
             }
         }
     }
@@ -118,6 +148,7 @@ private:
     std::set<std::string> on_;
     std::vector<std::size_t> waiting_; // "on" events of this frame
     std::map<std::string, std::set<std::size_t>> latest_;
+    std::map<Names, std::size_t> immersed_; // objects and the liquids that they are in, at present
 };
 
 } // namespace

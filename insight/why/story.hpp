@@ -55,8 +55,8 @@ struct Story {
 
 /// The story of an event of a trace, which must be in it. A current's causes are not only the connection that
 /// came last, but all contacts that close circuits at that time; what moves an object to a place of a goal is
-/// also what last touched or pulled it. A contact of a placed object has its placement as a cause. No step is
-/// caused by a later one.
+/// also what last touched or pulled it, and that it dips into a liquid, or something that joints tie it to
+/// does. A contact of a placed object has its placement as a cause. No step is caused by a later one.
 [[nodiscard]] Story storyOf(std::span<Event const> events, EventId asked, SceneFacts const& facts);
 
 } // namespace trembler::insight

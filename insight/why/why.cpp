@@ -63,11 +63,43 @@ void joinBounces(Story const& story, std::vector<bool>& told) {
     }
 }
 
+/// Leaves out those causes that are the same thing's dips into the same liquid, but for the last one.
+void keepLastDips(Story const& story, StepSet& causes) {
+    std::erase_if(causes, [&](std::size_t cause) {
+        Step const& dip = story.steps[cause];
+        return dip.kind == StepKind::liquid &&
+               std::any_of(causes.upper_bound(cause), causes.end(), [&](std::size_t later) {
+                   Step const& other = story.steps[later];
+                   return other.kind == StepKind::liquid && other.objects == dip.objects;
+               });
+    });
+}
+
+/// What bobs up and down dips into the water many times: tells only the dips that are the last ones of
+/// something.
+void joinDips(Story const& story, std::vector<bool>& told) {
+    std::vector<StepSet> nearest = nearestTold(story, told);
+    StepSet last;
+    for (std::size_t i = 0; i < story.steps.size(); ++i) {
+        if (told[i]) {
+            keepLastDips(story, nearest[i]);
+            last.insert(nearest[i].begin(), nearest[i].end());
+        }
+    }
+    for (std::size_t i = 0; i < story.steps.size(); ++i) {
+        bool const dip = story.steps[i].kind == StepKind::liquid && i != story.asked;
+        told[i] = told[i] && (!dip || last.contains(i));
+    }
+}
+
 /// For each told step its nearest told ancestors, without those that another one of them follows from. The
 /// contacts that close a circuit are causes side by side: that one came before the other is no reason for it.
 std::vector<StepSet> toldCauses(Story const& story, std::vector<bool> const& told) {
     std::size_t const count = story.steps.size();
     std::vector<StepSet> nearest = nearestTold(story, told);
+    for (StepSet& causes : nearest) {
+        keepLastDips(story, causes);
+    }
     std::vector<StepSet> beside(count);
     for (std::size_t i = 0; i < count; ++i) {
         for (std::size_t const cause : nearest[i]) {
@@ -109,6 +141,7 @@ void tell(Answer& answer, Target const& target, std::vector<Proof> const& proofs
     Story const& story = target.story;
     std::vector<bool> told = toldSteps(story, proofs, answer.facts, everything);
     joinBounces(story, told);
+    joinDips(story, told);
     std::vector<StepSet> const causes = toldCauses(story, told);
     std::vector<std::size_t> placeOf(story.steps.size());
     answer.confirmed = true;

@@ -46,8 +46,11 @@ std::string_view weakEnding(std::string const& article, GermanCase use) {
     return n ? "en" : "e";
 }
 
-/// Of an adjective behind the indefinite article, or none.
+/// Of an adjective without an article, or, but for the dative, behind the indefinite one.
 std::string_view strongEnding(std::string const& article, GermanCase use) {
+    if (use == GermanCase::dative) {
+        return article == "die" ? "er" : "em";
+    }
     if (use == GermanCase::nominative) {
         return article == "der" ? "er" : article == "das" ? "es" : "e";
     }
@@ -78,8 +81,11 @@ GermanNames::GermanNames(nlohmann::json const& file) {
         if (space == std::string::npos) {
             continue;
         }
+        std::size_t const second = bar == std::string::npos ? bar : german.find('|', bar + 1);
         nouns_[english] = {german.substr(0, space), german.substr(space + 1, bar - space - 1),
-                           bar == std::string::npos ? std::string() : german.substr(bar + 1)};
+                           bar == std::string::npos ? std::string()
+                                                    : german.substr(bar + 1, second - bar - 1),
+                           second == std::string::npos ? std::string() : german.substr(second + 1)};
     }
     adjectives_ = wordsIn(file, "adjectives");
     behind_ = wordsIn(file, "behind");
@@ -103,6 +109,16 @@ std::optional<GermanNames::Parsed> GermanNames::parsed(std::string_view name) co
         }
     }
     std::size_t const first = name.find(' ');
+    // A number ends the name of a part, with its adjectives: "short wire 1 left end".
+    for (std::size_t at = first; at != std::string_view::npos; at = name.find(' ', at + 1)) {
+        std::string_view const before = name.substr(0, at);
+        auto piece =
+            isNumber(before.substr(before.rfind(' ') + 1)) ? parsed(name.substr(at + 1)) : std::nullopt;
+        if (piece && understands(std::string(before))) {
+            piece->behind += " (" + bare(std::string(before)) + ")";
+            return piece;
+        }
+    }
     if (auto const adjective = adjectives_.find(name.substr(0, first)); adjective != adjectives_.end()) {
         if (auto rest = parsed(name.substr(first + 1))) {
             rest->adjectives.insert(rest->adjectives.begin(), adjective->second);
@@ -145,7 +161,8 @@ std::string GermanNames::definite(std::string const& name, GermanCase use) const
             found->numbered ? strongEnding(found->noun.article, use) : weakEnding(found->noun.article, use);
         text += stem + std::string(ending) + " ";
     }
-    return text + found->noun.word + found->behind;
+    bool const alone = found->numbered && found->adjectives.empty(); // "durch Magnet 2"
+    return text + (alone ? found->noun.word : found->noun.in(use)) + found->behind;
 }
 
 std::string GermanNames::indefinite(std::string const& name, GermanCase use) const {
@@ -158,7 +175,7 @@ std::string GermanNames::indefinite(std::string const& name, GermanCase use) con
         bool const dative = use == GermanCase::dative;
         text += stem + std::string(dative ? "en" : strongEnding(found->noun.article, use)) + " ";
     }
-    return text + found->noun.word + found->behind;
+    return text + found->noun.in(use) + found->behind;
 }
 
 std::string GermanNames::plural(std::string const& name, GermanCase use) const {

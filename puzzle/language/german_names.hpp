@@ -20,15 +20,16 @@ enum class GermanCase { nominative, accusative, dative };
 class GermanNames {
 public:
     GermanNames() = default;
-    /// {"nouns": {"lamp": "die Lampe", "ball": "die Kugel|Kugeln"}, "adjectives": {"left": "link"},
-    /// "behind": {"left": "links"}}; the plural behind the bar may be missing. What is not of that form is
-    /// left out.
+    /// {"nouns": {"lamp": "die Lampe", "ball": "die Kugel|Kugeln", "magnet": "der Magnet|Magnete|Magneten"},
+    /// "adjectives": {"left": "link"}, "behind": {"left": "links"}}. Behind the first bar is the plural,
+    /// behind the second one the form in the accusative and the dative, of nouns that have another one there;
+    /// either may be missing. What is not of that form is left out.
     explicit GermanNames(nlohmann::json const& file);
 
     /// "linke Lampe"; a name that is not understood is returned as it is.
     [[nodiscard]] std::string bare(std::string const& name) const;
-    /// "die linke Lampe", "der linken Lampe"; without an article before a number, as in "Lampe 2", and for
-    /// names that are not understood.
+    /// "die linke Lampe", "der linken Lampe", "den Magneten"; without an article before a number, as in
+    /// "Lampe 2", and for names that are not understood.
     [[nodiscard]] std::string definite(std::string const& name, GermanCase use) const;
     /// "eine Lampe", "einem Amboss".
     [[nodiscard]] std::string indefinite(std::string const& name, GermanCase use) const;
@@ -41,6 +42,12 @@ private:
         std::string article; // in the nominative; "" after none
         std::string word;
         std::string plural;
+        std::string oblique; // in the accusative and the dative; "" as in the nominative
+
+        /// Behind an article or an adjective.
+        [[nodiscard]] std::string const& in(GermanCase use) const {
+            return use == GermanCase::nominative || oblique.empty() ? word : oblique;
+        }
     };
     struct Parsed {
         std::vector<std::string> adjectives; // stems

@@ -1,158 +1,149 @@
-// trembler solve: searches for solutions of a level.
+// trembler solve: searches for solutions of levels.
 #include "game/app/commands.hpp"
 #include "game/app/mods/mods.hpp"
 #include "game/app/options/inputs.hpp"
+#include "game/app/options/level_paths.hpp"
 #include "game/app/options/number_options.hpp"
-#include "game/app/options/outputs.hpp"
-#include "game/app/search/found_files.hpp"
-#include "game/app/search/worker_options.hpp"
-#include "insight/report/report_text.hpp"
-#include "insight/search/recorded.hpp"
+#include "game/app/search/solve_table.hpp"
 #include "runtime/file/visible_text.hpp"
-#include "runtime/level/write/write_level.hpp"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <filesystem>
 #include <iostream>
 #include <limits>
 #include <memory>
+#include <system_error>
 
 namespace trembler {
 namespace {
 
-struct SolveArguments {
-    std::string level;
-    std::vector<std::string> mods;
-    OutputTarget json;
-    std::optional<std::string> keep;
-    WorkerArguments work;
-    std::optional<std::uint64_t> runs;
-    std::uint64_t seed = 1;
-    std::uint64_t frames = 1200;
-    bool noHands = false;
-    bool random = false;
-    bool compare = false;
-};
-
 constexpr std::uint64_t usualRuns = 2000;
 
-nlohmann::ordered_json countsOf(insight::SearchResult const& result) {
-    nlohmann::ordered_json counts;
-    counts["runs"] = result.runs;
-    counts["solved_runs"] = result.solved;
-    counts["first_solved_run"] =
-        result.firstSolved ? nlohmann::ordered_json(*result.firstSolved) : nlohmann::ordered_json();
-    counts["kinds"] = result.found.size();
-    return counts;
+/// Whether one table is made of them; else the one level is told of at length.
+bool isMany(std::vector<std::string> const& paths) {
+    std::error_code ignored;
+    return paths.size() > 1 || std::filesystem::is_directory(paths.front(), ignored);
 }
 
-std::string countsInWords(insight::SearchResult const& result) {
-    return fmt::format("{} of {} runs solve it{}; {} kind{} of solutions", result.solved, result.runs,
-                       result.firstSolved ? fmt::format(", the first one run {}", *result.firstSolved) : "",
-                       result.found.size(), result.found.size() == 1 ? "" : "s");
+std::string dumped(nlohmann::ordered_json const& all) {
+    return escapedJson(all.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace)) + "\n";
 }
 
-int solveLevel(SolveArguments const& arguments) {
-    auto const data = gameDataFor(arguments.level, arguments.mods);
+void sayAtLength(std::ostream& out, SearchedLevel const& level, ToldLevel const& told) {
+    out << visible(level.name) << ": " << countsInWords(level.search) << "\n";
+    for (std::string const& line : told.lines) {
+        out << visibleLines(line) << "\n";
+    }
+    if (level.search.found.empty()) {
+        out << fmt::format("  the nearest miss: {:.3f}\n", level.search.nearest);
+    }
+    if (level.chance) {
+        out << "  placed at random: " << countsInWords(*level.chance) << "\n";
+    }
+    if (level.seconds) {
+        out << fmt::format("  {:.1f} s, {:.0f} runs per second\n", *level.seconds,
+                           level.runsPerSecond().value_or(0));
+    }
+}
+
+nlohmann::ordered_json summaryOf(std::vector<SearchedLevel> const& levels, SolveArguments const& arguments,
+                                 std::uint64_t runs, bool complete) {
+    auto const count = [&](auto const& solves) {
+        return std::count_if(levels.begin(), levels.end(), solves);
+    };
+    nlohmann::ordered_json all;
+    all["seed"] = arguments.seed;
+    all["runs"] = runs;
+    all["complete"] = complete;
+    all["solved_by_search"] = count([](SearchedLevel const& level) { return level.search.solved > 0; });
+    if (arguments.compare) {
+        all["solved_at_random"] =
+            count([](SearchedLevel const& level) { return level.chance && level.chance->solved > 0; });
+    }
+    return all;
+}
+
+int solveLevels(SolveArguments const& arguments) {
+    bool const many = isMany(arguments.levels);
+    GameDataByMods data(arguments.mods);
     Outputs outputs;
-    readsAll(outputs, *data);
-    outputs.reads(arguments.level);
+    std::vector<std::filesystem::path> files{arguments.levels.front()};
+    if (many) {
+        GameData const plain; // without mods
+        files = levelsNamed(plain, arguments.levels);
+        readsAll(outputs, plain);
+    } else {
+        readsAll(outputs, data.dataFor(files.front()));
+    }
+    for (auto const& file : files) {
+        outputs.reads(file);
+    }
     outputs.claimFile("--resume", arguments.work.resume.empty() ? OutputTarget() : arguments.work.resume,
                       "a file");
     if (arguments.keep) {
         checkFolderName("--keep", *arguments.keep);
     }
-    insight::LevelUnderTest const level(*data, arguments.level);
+    std::vector<std::unique_ptr<insight::LevelUnderTest>> levels; // all, so that a fault is told at once
+    for (auto const& file : files) {
+        levels.push_back(std::make_unique<insight::LevelUnderTest>(data.dataFor(file), file));
+    }
     WorkPlace place(arguments.work);
     OutputFile* json = nullptr;
-    place.asLeader([&] { json = outputs.add("--json", arguments.json); });
-    insight::SearchOptions options;
-    options.runs = arguments.runs.value_or(
-        arguments.work.minutes ? std::numeric_limits<std::uint64_t>::max() / 2 : usualRuns);
-    options.seed = arguments.seed;
-    options.frames = arguments.frames;
-    options.hands = !arguments.noHands;
-    options.random = arguments.random;
-    options.progress = [&](std::uint64_t runs, std::size_t kinds) {
-        place.say(fmt::format("{} runs, {} kinds of solutions", runs, kinds));
-    };
-    insight::SearchResult const result = searchFor(level, options, place.workers());
-    double const seconds = place.seconds();
-    std::optional<insight::SearchResult> chance;
-    if (arguments.compare && !place.workers().stopped()) {
-        options.random = true;
-        options.runs = result.runs;
-        chance = searchFor(level, options, place.workers());
+    OutputFile* markdown = nullptr;
+    place.asLeader([&] {
+        json = outputs.add("--json", arguments.json);
+        markdown = outputs.add("--markdown", arguments.markdown);
+    });
+    // The minutes are those of all levels together: the first of several must not use them up.
+    std::uint64_t const runs = arguments.runs.value_or(
+        arguments.work.minutes && !many ? std::numeric_limits<std::uint64_t>::max() / 2 : usualRuns);
+    bool const words = json == nullptr || !json->isStandardOutput();
+    std::vector<SearchedLevel> searched;
+    nlohmann::ordered_json entries = nlohmann::ordered_json::array();
+    for (std::size_t i = 0; i < files.size() && !place.workers().stopped(); ++i) {
+        searched.push_back(searchLevel(*levels[i], files[i], arguments, runs, many, place));
+        if (!place.leads()) {
+            continue;
+        }
+        ToldLevel told = tell(searched.back(), *levels[i], arguments, place);
+        place.clearProgress();
+        if (words && many) {
+            outputs.words() << visible(solveLine(searched.back())) << std::endl; // as it comes
+        } else if (words) {
+            sayAtLength(outputs.words(), searched.back(), told);
+        }
+        entries.push_back(std::move(told.json));
     }
     place.clearProgress();
     if (!place.leads()) {
         return exitSolved;
     }
-    insight::Workers own({.threads = arguments.work.threads}); // not the team, whose others have ended
-    auto const recorded = recordedKinds(level, own);
-    bool const words = json == nullptr || !json->isStandardOutput();
-    nlohmann::ordered_json all;
-    all["level"] = level.name();
-    all["seed"] = options.seed;
-    all["complete"] = !place.workers().stopped();
-    all.update(countsOf(result));
-    all["places_of_interest"] = result.places;
-    all["nearest_miss"] = {{"measure", result.nearest}, {"solution", writeSolution(result.nearestMiss)}};
-    all["seconds"] = seconds;
-    all["runs_per_second"] = seconds > 0 ? static_cast<double>(result.runs) / seconds : 0;
-    all["threads"] = place.workers().threads();
-    all["processes"] = place.workers().team().size();
-    all["found"] = nlohmann::ordered_json::array();
-    if (words) {
-        outputs.words() << visible(level.name()) << ": " << countsInWords(result) << "\n";
+    bool const complete = !place.workers().stopped();
+    if (words && many) {
+        outputs.words() << solveSummary(searched) << "\n";
     }
-    for (std::size_t i = 0; i < result.found.size(); ++i) {
-        insight::FoundSolution const& found = result.found[i];
-        std::string const as = recordedAs(recorded, found);
-        nlohmann::ordered_json one = toJson(found);
-        one["recorded_as"] = as.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(as);
-        std::string line =
-            fmt::format("  {}. {} (run {}, {} times{})", i + 1, inWords(found.graph), found.run, found.times,
-                        as.empty() ? ", recorded by nobody" : fmt::format(", as '{}'", as));
-        if (arguments.keep) {
-            KeptFiles const kept = keepFound(*data, arguments.level, found, i + 1, *arguments.keep);
-            one["file"] = kept.solution.string();
-            one["picture"] = kept.picture.empty() ? nlohmann::ordered_json()
-                                                  : nlohmann::ordered_json(kept.picture.string());
-            line += fmt::format("\n     {} {}", kept.solution.string(),
-                                kept.picture.empty() ? "(no picture: " + kept.whyNoPicture + ")"
-                                                     : kept.picture.string());
-        }
-        all["found"].push_back(std::move(one));
-        if (words) {
-            outputs.words() << visibleLines(line) << "\n";
-        }
+    if (json != nullptr && many) {
+        nlohmann::ordered_json all = summaryOf(searched, arguments, runs, complete);
+        all["levels"] = std::move(entries);
+        json->stream() << dumped(all);
+    } else if (json != nullptr) {
+        json->stream() << dumped(entries.front());
     }
-    if (words && result.found.empty()) {
-        outputs.words() << fmt::format("  the nearest miss: {:.3f}\n", result.nearest);
-    }
-    if (chance) {
-        all["random"] = countsOf(*chance);
-        if (words) {
-            outputs.words() << "  placed at random: " << countsInWords(*chance) << "\n";
-        }
-    }
-    if (words) {
-        outputs.words() << fmt::format("  {:.1f} s, {:.0f} runs per second\n", seconds,
-                                       static_cast<double>(result.runs) / std::max(seconds, 1e-9));
-    }
-    if (json != nullptr) {
-        json->stream() << escapedJson(
-                              all.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace))
-                       << "\n";
+    if (markdown != nullptr) {
+        markdown->stream() << solveTable(searched);
     }
     outputs.finish();
-    if (place.workers().stopped() && !arguments.work.minutes) {
-        std::cerr << "trembler: stopped; this is what was found so far\n";
+    if (!complete && !arguments.work.minutes) {
+        std::cerr << "trembler: stopped; this is what was found so far"
+                  << (arguments.work.resume.empty() ? "" : ", and the same command goes on from there")
+                  << "\n";
     }
-    return result.found.empty() ? exitNotSolved : exitSolved;
+    bool const all = searched.size() == files.size() &&
+                     std::all_of(searched.begin(), searched.end(),
+                                 [](SearchedLevel const& level) { return !level.search.found.empty(); });
+    return all ? exitSolved : exitNotSolved;
 }
 
 } // namespace
@@ -161,12 +152,13 @@ void addSolveCommand(CLI::App& program, int& result) {
     auto const arguments = std::make_shared<SolveArguments>();
     CLI::App* const command = program.add_subcommand(
         "solve",
-        "Search for solutions of a level: every part of the toolbox in every place of interest, then changes "
+        "Search for solutions of levels: every part of the toolbox in every place of interest, then changes "
         "of the nearest misses, with simple things done by hand. One solution of each kind is reported, "
-        "reduced to what it needs. Exit status: 0 found some, 1 none, 2 bad input or output.");
-    command->add_option("LEVEL", arguments->level, "Level file (required)");
+        "reduced to what it needs; of several levels, or of a folder, a line each. Exit status: 0 found some "
+        "of each level, 1 none of one, 2 bad input or output.");
+    command->add_option("LEVEL", arguments->levels, "Level files or folders (required)");
     addNumber(*command, "--runs", arguments->runs, 1, 100'000'000,
-              "Runs to try (default: 2000, or as many as --minutes allows)");
+              "Runs to try, of each level (default: 2000, or, of one level, as many as --minutes allows)");
     addNumber(*command, "--minutes", arguments->work.minutes, 0.01, 100'000,
               "Stop after that time; the result then depends on this computer's speed");
     addNumber(*command, "--seed", arguments->seed, 0, 1'000'000'000,
@@ -179,6 +171,7 @@ void addSolveCommand(CLI::App& program, int& result) {
     command->add_flag("--compare", arguments->compare, "Afterwards place parts at random in as many runs");
     addOptionalFile(*command, "--json", arguments->json,
                     "Write one JSON object; on the terminal it replaces the words");
+    addOptionalFile(*command, "--markdown", arguments->markdown, "Write a table of the levels");
     command
         ->add_option_function<std::string>(
             "--keep", [arguments](std::string const& folder) { arguments->keep = folder; },
@@ -188,8 +181,12 @@ void addSolveCommand(CLI::App& program, int& result) {
     addModFolders(*command, arguments->mods);
     command->footer(outputConvention);
     command->callback([arguments, &result] {
-        takeBack(arguments->level, arguments->json, "LEVEL");
-        result = guarded([&] { return solveLevel(*arguments); });
+        takeBack(arguments->levels, arguments->json);
+        takeBack(arguments->levels, arguments->markdown);
+        if (arguments->levels.empty()) {
+            throw CLI::RequiredError("LEVEL");
+        }
+        result = guarded([&] { return solveLevels(*arguments); });
     });
 }
 

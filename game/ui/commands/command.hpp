@@ -19,7 +19,14 @@ enum class KeyUse : std::uint8_t {
 };
 
 /// When the button of a gamepad means a command: the same button may mean another one at another time.
-enum class PadPhase : std::uint8_t { always, building, running };
+enum class PadPhase : std::uint8_t {
+    always,
+    building,
+    running,
+    /// While the past is looked at. A button that then means no available command of this phase means one of
+    /// `building` that is available, or else that of `running`.
+    past,
+};
 
 /// The section of the page of keys in which a command is listed.
 enum class CommandGroup : std::uint8_t { building, running, looking, program, editing };

@@ -30,6 +30,23 @@ bool phasesMeet(CommandInfo const& a, CommandInfo const& b) {
     return a.padPhase == b.padPhase || a.padPhase == PadPhase::always || b.padPhase == PadPhase::always;
 }
 
+/// How well a command fits what buttons mean at present; negative: not at all.
+int padRank(CommandSet const& commands, std::size_t index) {
+    PadPhase const own = commands.info(index).padPhase;
+    PadPhase const now = commands.phase();
+    if (own == PadPhase::always || now == PadPhase::always || now != PadPhase::past) {
+        return own == PadPhase::always || now == PadPhase::always || own == now ? 0 : -1;
+    }
+    switch (own) {
+    case PadPhase::past:
+        return commands.available(index) ? 2 : -1;
+    case PadPhase::building:
+        return commands.available(index) ? 1 : -1;
+    default:
+        return 0;
+    }
+}
+
 } // namespace
 
 KeyBindings::KeyBindings(std::vector<CommandList> screens) : screens_(std::move(screens)) {
@@ -193,8 +210,8 @@ std::optional<std::size_t> KeyBindings::find(CommandSet const& commands, SDL_Key
     int most = -1;
     for (std::size_t i = 0; i < commands.size(); ++i) {
         CommandInfo const& info = commands.info(i);
-        if (render::isPadKey(pressed.sym) && info.padPhase != PadPhase::always &&
-            commands.phase() != PadPhase::always && info.padPhase != commands.phase()) {
+        int const rank = render::isPadKey(pressed.sym) ? padRank(commands, i) : 0;
+        if (rank < 0) {
             continue; // the button means something else now
         }
         for (Chord const& chord : keysOf(info.id)) {
@@ -206,7 +223,7 @@ std::optional<std::size_t> KeyBindings::find(CommandSet const& commands, SDL_Key
             }
             bool const fits =
                 chord.ctrl == asked.ctrl && (!chord.shift || asked.shift) && (!chord.alt || asked.alt);
-            int const modifiers = (chord.shift ? 1 : 0) + (chord.alt ? 1 : 0);
+            int const modifiers = (chord.shift ? 1 : 0) + (chord.alt ? 1 : 0) + rank;
             if (fits && modifiers > most) {
                 most = modifiers;
                 best = i;

@@ -144,8 +144,11 @@ void PlayParts::lookAt(std::uint64_t frame) {
 }
 
 PadPhase PlayParts::phase() const {
-    bool const changing = whatIf->atMoment() && !whatIfTool->chosen().empty();
-    return changing || session.mode() == SessionMode::building ? PadPhase::building : PadPhase::running;
+    if (session.mode() == SessionMode::building) {
+        return PadPhase::building;
+    }
+    bool const past = whatIf->active() || (timeline.looksBack() && !timeline.playing());
+    return past ? PadPhase::past : PadPhase::running;
 }
 
 void PlayParts::askWhy() {

@@ -103,8 +103,7 @@ struct PlayParts {
     std::optional<ScreenRequest> request; ///< what this picture asks of the program
 
     [[nodiscard]] render::Camera const& camera() const { return view.camera(); }
-    /// Which buttons of a gamepad are meant. Of a what-if at its moment, whose chosen object can be turned
-    /// and removed, those of building.
+    /// Which buttons of a gamepad are meant.
     [[nodiscard]] PadPhase phase() const;
     [[nodiscard]] bool hasMods() const { return workshop != nullptr; }
     /// Writes what was placed, if it is due; tells the player if it cannot be written.

@@ -6,14 +6,19 @@
 #include "game/ui/play/commands/play_commands.hpp"
 #include "game/ui/play/field_drawing.hpp"
 #include "game/ui/play/lesson/lesson_drawing.hpp"
-#include "game/ui/play/whatif/what_if_tool.hpp"
+#include "game/ui/play/whatif/what_if_card.hpp"
 #include "game/ui/shared/texts.hpp"
 #include "game/ui/shared/words.hpp"
 #include "game/ui/tools/free_fit.hpp"
 #include "render/window/gamepad.hpp"
 
+#include <imgui.h>
+
 #include <algorithm>
+#include <array>
+#include <iterator>
 #include <utility>
+#include <vector>
 
 namespace trembler::ui {
 namespace {
@@ -25,6 +30,24 @@ Vec2 padDirection(render::InputEvents const& input) {
     };
     return {held(SDL_CONTROLLER_BUTTON_DPAD_RIGHT) - held(SDL_CONTROLLER_BUTTON_DPAD_LEFT),
             held(SDL_CONTROLLER_BUTTON_DPAD_UP) - held(SDL_CONTROLLER_BUTTON_DPAD_DOWN)};
+}
+
+/// Keys that act on the screen while a card has the keyboard: function keys, and those with Ctrl; of a
+/// gamepad the buttons that its widgets do not use.
+bool passesCard(SDL_Event const& event) {
+    if (event.type != SDL_KEYDOWN) {
+        return false;
+    }
+    SDL_Keycode const key = event.key.keysym.sym;
+    if (render::isPadKey(key)) {
+        static constexpr std::array leads{render::padKey(SDL_CONTROLLER_BUTTON_B),
+                                          render::padKey(SDL_CONTROLLER_BUTTON_START),
+                                          render::padKey(SDL_CONTROLLER_BUTTON_LEFTSHOULDER),
+                                          render::padKey(SDL_CONTROLLER_BUTTON_RIGHTSHOULDER)};
+        return std::find(leads.begin(), leads.end(), key) != leads.end();
+    }
+    return (key >= SDLK_F1 && key <= SDLK_F12) || key == SDLK_ESCAPE ||
+           (event.key.keysym.mod & KMOD_CTRL) != 0;
 }
 
 } // namespace
@@ -108,10 +131,12 @@ std::optional<ScreenRequest> PlayScreen::update(double seconds) {
     Pointer const mouse = reader_.read(context, parts_.camera(),
                                        parts_.placing.carried().has_value() || parts_.group.dragging() ||
                                            parts_.hand.busy() || parts_.secondHand.busy());
-    parts_.keyPointer.holdDirection(padDirection(context.input), seconds, context.shiftHeld(), mouse,
-                                    parts_.camera());
-    parts_.pointer =
-        parts_.keyPointer.instead(mouse, parts_.camera(), isHeld(context.input, context.keys, "act"));
+    bool const cardKeys = parts_.whatIfTool->cardHasKeys();
+    passKeysToCard(cardKeys);
+    parts_.keyPointer.holdDirection(cardKeys ? Vec2{} : padDirection(context.input), seconds,
+                                    context.shiftHeld(), mouse, parts_.camera());
+    parts_.pointer = parts_.keyPointer.instead(mouse, parts_.camera(),
+                                               !cardKeys && isHeld(context.input, context.keys, "act"));
     parts_.allBack.pass(seconds);
     parts_.why.pass();
     if (!parts_.run.building()) {
@@ -123,7 +148,9 @@ std::optional<ScreenRequest> PlayScreen::update(double seconds) {
     if (auto const chosen = takeNext()) {
         commands_.run(*chosen);
     }
-    if (!context.gui.wantsKeyboard()) {
+    if (cardKeys) {
+        handleKeysBesideCard();
+    } else if (!context.gui.wantsKeyboard()) {
         tellOfRefused(carryOutKeys(context.input.events(), context.keys, commands_));
     }
     auto const handle = parts_.handle();
@@ -160,6 +187,18 @@ std::optional<ScreenRequest> PlayScreen::update(double seconds) {
                          .troubles = context.toasts.troubles(),
                          .world = &parts_.session.world()});
     return parts_.request;
+}
+
+void PlayScreen::handleKeysBesideCard() {
+    UiContext& context = parts_.context;
+    std::vector<SDL_Event> events;
+    std::copy_if(context.input.events().begin(), context.input.events().end(), std::back_inserter(events),
+                 passesCard);
+    bool const dropDown = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+    if (std::exchange(dropDownWasOpen_, dropDown) || dropDown || context.gui.wantsKeyboard()) {
+        return; // Esc closes it, or ends the typing of a number
+    }
+    carryOutKeys(events, context.keys, commands_);
 }
 
 void PlayScreen::useSecondPlayer(double seconds) {
@@ -209,6 +248,8 @@ void PlayScreen::updateBehindMenu(double seconds) {
     setView();
     parts_.run.beginPicture(false);
     parts_.placing.cancel();
+    parts_.whatIfTool->giveCardKeys(false);
+    passKeysToCard(false);
 }
 
 bool PlayScreen::still() const {
@@ -234,6 +275,7 @@ void PlayScreen::pictureComplete() {
 }
 
 void PlayScreen::leave() {
+    passKeysToCard(false);
     parts_.keepBuild(BuildKeeper::delay);
     parts_.audio.leave();
     parts_.film.end();

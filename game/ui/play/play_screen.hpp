@@ -67,6 +67,8 @@ public:
 private:
     void setView();
     void useSecondPlayer(double seconds);
+    /// While the card of a what-if has the keyboard.
+    void handleKeysBesideCard();
     /// Looks for a larger view when cards have come, or have another size.
     void fitAroundCards();
     /// Of a key that means nothing now: `command`, or none.
@@ -82,6 +84,7 @@ private:
     double fittedScale_ = 0;                   // of the interface
     float fittedTimeline_ = 0;                 // its height then, pixels at UI scale 1
     bool fastRefused_ = false;                 // the key for fast motion is held while building
+    bool dropDownWasOpen_ = false;             // on that card, in the last picture
     double sinceStep_ = 0;                     // s, of the world
     double toldOfSlownessAt_ = 0;              // the last such speed
 };

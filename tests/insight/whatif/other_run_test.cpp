@@ -5,6 +5,7 @@
 #include "insight/whatif/other_run.hpp"
 #include "insight/whatif/settable.hpp"
 #include "physics/dynamics/properties/body.hpp"
+#include "runtime/input/input_resolver.hpp"
 #include "runtime/placement.hpp"
 #include "tests/support/experiment.hpp"
 
@@ -186,6 +187,31 @@ TEST_F(OtherRunTest, LeavesOutAGrab) {
     open("4-raft.json");
     runTo(100);
     EXPECT_EQ(without->run().world().stateHash(), world().stateHash()) << "as if nobody had touched anything";
+}
+
+// A second player holds a box all the time; a grab of another one does not make them let go.
+TEST_F(OtherRunTest, AGrabLeavesTheHandsOfPlayersAlone) {
+    open("4-raft.json");
+    session().start();
+    using Kind = PlayerInput::Kind;
+    Vec2 const held = at("cargo 4");
+    session().feed({Kind::grab, id("cargo 4"), {}, held, 1});
+    session().feed({Kind::move, id("cargo 4"), {}, held + Vec2{0, 0.3}, 1});
+    runTo(150);
+    auto const other = computed({60,
+                                 {{.kind = Change::Kind::grab,
+                                   .object = "cargo 13",
+                                   .at = {3.8, -1},
+                                   .to = {3.8, 0.5},
+                                   .frames = 60}}});
+    ASSERT_TRUE(other->firstDifference());
+    EXPECT_LE(*other->firstDifference(), 63U);
+    EXPECT_TRUE(other->paths().contains(id("cargo 13"))) << "it is pulled";
+    EXPECT_FALSE(other->paths().contains(id("cargo 4"))) << "it is held, as in the real run";
+    auto const* const second = other->run().world().find<SecondHand>();
+    ASSERT_NE(second, nullptr);
+    EXPECT_EQ(second->grip.object, id("cargo 4"));
+    EXPECT_FALSE(other->run().world().find<Hand>()->object.valid()) << "it has let go";
 }
 
 TEST_F(OtherRunTest, GoesOnWithTheRealRun) {

@@ -1,6 +1,7 @@
 // Of the thesis's four experiments and of what a player may do in them: the chain that is told is that of the
 // thesis's accounts (docs/account.md).
 #include "insight/why/words.hpp"
+#include "puzzle/campaign/as_played.hpp"
 #include "runtime/level/read/read_level.hpp"
 
 #include <gtest/gtest.h>
@@ -150,6 +151,42 @@ TEST(WhyExperiments, TheRaftsFloatsAreInTheWater) {
         EXPECT_LT(placeIn(answer, StepKind::liquid, {object, "water body"}), answer.chain.size())
             << told(answer);
     }
+}
+
+// "The ones above the raft will impact with it" and "they are buoyant enough to keep the raft and three cargo
+// boxes afloat": also with one box more.
+TEST(WhyExperiments, TheRaftBearsItsBoxesBecauseItsFloatsAreInTheWater) {
+    for (std::string const solution : {"hands off", "a fourth box"}) {
+        Answer const answer = answerIn("4-raft", solution);
+        ASSERT_TRUE(answer.happened) << solution;
+        expectEarlierCauses(answer);
+        for (std::string const object : {"flotation device A", "flotation device B"}) {
+            std::size_t const dips = placeIn(answer, StepKind::liquid, {object, "water body"});
+            EXPECT_TRUE(isSure(answer, dips)) << object << ": " << told(answer);
+        }
+        for (std::string const box : {"cargo 1", "cargo 2", "cargo 3"}) {
+            std::size_t const falls = placeIn(answer, StepKind::contact, {box, "raft body"});
+            EXPECT_LT(falls, answer.chain.size()) << box << ": " << told(answer);
+        }
+        EXPECT_EQ(answer.chain.back().step.kind, StepKind::goal);
+        EXPECT_NE(told(answer).find("dips into the water body"), std::string::npos) << told(answer);
+    }
+}
+
+// What the task asks for follows from the box that was placed, and from the floats as well.
+TEST(WhyExperiments, AFourthBoxIsOnDeckBecauseItWasPlacedThere) {
+    LevelFile const level = asPlayed(experiment("4-raft"), "");
+    LevelRuns const runs(experimentData(), level);
+    AskOptions options;
+    options.frames = 600;
+    Answer const answer = why(runs, *level.findSolution("a fourth box"), {}, options);
+    ASSERT_TRUE(answer.happened);
+    expectEarlierCauses(answer);
+    EXPECT_TRUE(isSure(answer, placeIn(answer, StepKind::placed, {"cargo box 1"}))) << told(answer);
+    EXPECT_LT(placeIn(answer, StepKind::contact, {"cargo box 1", "raft body"}), answer.chain.size());
+    EXPECT_TRUE(isSure(answer, placeIn(answer, StepKind::liquid, {"flotation device A"}))) << told(answer);
+    EXPECT_EQ(placeIn(answer, StepKind::liquid, {"cargo 11"}), answer.chain.size())
+        << "what lies on the ground carries nothing: " << told(answer);
 }
 
 } // namespace

@@ -13,7 +13,9 @@ GermanNames names() {
                                         {"bucket", "der Eimer|Eimer"},
                                         {"plank", "das Brett|Bretter"},
                                         {"doorbell", "die Türklingel"},
-                                        {"striker", "der Klöppel"}}},
+                                        {"striker", "der Klöppel"},
+                                        {"magnet", "der Magnet|Magnete|Magneten"},
+                                        {"crane magnet", "der Kranmagnet||Kranmagneten"}}},
                                       {"adjectives", {{"left", "link"}, {"second", "zweit"}}},
                                       {"behind", {{"left", "links"}}}});
 }
@@ -54,6 +56,25 @@ TEST(GermanNames, KeepNumbersPlacesAndPieces) {
     EXPECT_EQ(all.definite("plank left", GermanCase::accusative), "das Brett links");
     EXPECT_EQ(all.definite("doorbell striker", GermanCase::accusative), "den Klöppel (Türklingel)");
     EXPECT_EQ(all.bare("doorbell 1 striker"), "Klöppel (Türklingel 1)");
+    EXPECT_EQ(all.definite("second doorbell 1 left striker", GermanCase::accusative),
+              "den linken Klöppel (zweite Türklingel 1)");
+}
+
+TEST(GermanNames, HaveAnotherFormInTheObliqueCases) {
+    auto const all = names();
+    EXPECT_EQ(all.definite("magnet", GermanCase::nominative), "der Magnet");
+    EXPECT_EQ(all.definite("magnet", GermanCase::accusative), "den Magneten");
+    EXPECT_EQ(all.definite("magnet", GermanCase::dative), "dem Magneten");
+    EXPECT_EQ(all.definite("left magnet", GermanCase::accusative), "den linken Magneten");
+    EXPECT_EQ(all.indefinite("magnet", GermanCase::accusative), "einen Magneten");
+    EXPECT_EQ(all.indefinite("second magnet", GermanCase::dative), "einem zweiten Magneten");
+    EXPECT_EQ(all.bare("magnet"), "Magnet");
+    EXPECT_EQ(all.plural("magnet", GermanCase::dative), "Magneten");
+    EXPECT_EQ(all.definite("crane magnet", GermanCase::dative), "dem Kranmagneten");
+    EXPECT_EQ(all.plural("crane magnet", GermanCase::dative), "Kranmagnet") << "no plural is known";
+    EXPECT_EQ(all.definite("magnet 2", GermanCase::accusative), "Magnet 2") << "nothing shows the case";
+    EXPECT_EQ(all.definite("left magnet 2", GermanCase::dative), "linkem Magneten 2");
+    EXPECT_EQ(all.definite("left lamp 2", GermanCase::dative), "linker Lampe 2");
 }
 
 TEST(GermanNames, LeaveWhatTheyDoNotKnow) {

@@ -21,9 +21,9 @@ std::string german(std::string const& goals) {
 
 TEST(GermanSpeech, SaysWhatEachKindOfGoalAsksFor) {
     EXPECT_EQ(german(R"({"on": "lamp"})"), "Lass die Lampe leuchten");
-    EXPECT_EQ(german(R"({"off": "electromagnet"})"), "Schalte den Elektromagnet aus");
+    EXPECT_EQ(german(R"({"off": "electromagnet"})"), "Schalte den Elektromagneten aus");
     EXPECT_EQ(german(R"({"touching": ["metal object", "electromagnet"]})"),
-              "Heb den Metallgegenstand bis zum Elektromagnet");
+              "Heb den Metallgegenstand bis zum Elektromagneten");
     EXPECT_EQ(german(R"({"inside": {"object": "crate", "area": [0, 0, 1, 1], "called": "the basket"}})"),
               "Bring die Kiste in den Korb");
     EXPECT_EQ(german(R"({"inside": {"object": "crate", "area": [0, 0, 1, 1]}})"),
@@ -46,7 +46,7 @@ TEST(GermanSpeech, CountsAndLists) {
                          "that": {"inside": {"object": "it", "area": [0, 0, 1, 1], "called": "the basket"}}}})"),
               "Bring mindestens zwei Eisenkugeln in den Korb");
     EXPECT_EQ(german(R"({"count": {"of": ["lamp", "electromagnet"], "exactly": 2, "that": {"on": "it"}}})"),
-              "Schalte die Lampe und den Elektromagnet ein");
+              "Schalte die Lampe und den Elektromagneten ein");
     EXPECT_EQ(german(R"({"any": [{"on": "lamp"}, {"touching": ["crate", {"part": "iron ball"}]}]})"),
               "Entweder lass die Lampe leuchten oder bring die Kiste zu einer Eisenkugel");
     EXPECT_EQ(german(R"({"sequence": [{"on": "lamp"}, {"off": "lamp"}], "for": 2})"),

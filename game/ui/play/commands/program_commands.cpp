@@ -15,10 +15,12 @@ void openMenu(PlayParts& parts) {
     parts.request = request::OpenMenu{page};
 }
 
-/// Ends one thing: the use of the scissors, the carrying or choice of parts, the inspector, a what-if. If
-/// none of these goes on, opens the menu.
+/// Ends one thing: the use of the scissors, the carrying or choice of parts, the inspector, the computing of
+/// a what-if, the what-if. If none of these goes on, opens the menu.
 void back(PlayParts& parts) {
-    if (parts.hand.cutting()) {
+    if (parts.whatIfTool->cardHasKeys()) {
+        parts.whatIfTool->giveCardKeys(false);
+    } else if (parts.hand.cutting()) {
         parts.hand.setCutting(false);
     } else if (parts.wires.cancel() || parts.placing.cancel() || parts.group.cancel()) {
         return;
@@ -28,6 +30,8 @@ void back(PlayParts& parts) {
         parts.inspector.close();
     } else if (parts.whatIfTool->cutting()) {
         parts.whatIfTool->setCutting(false);
+    } else if (parts.whatIf->working() && !parts.whatIf->stopped()) {
+        parts.whatIf->stop();
     } else if (parts.whatIf->active()) {
         parts.whatIf->end();
     } else {

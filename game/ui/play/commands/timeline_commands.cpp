@@ -182,18 +182,32 @@ constexpr Command<PlayParts> timelineTable[] = {
      .available = [](PlayParts const& parts) { return hasPast(parts) && parts.timeline.looksBack(); }},
     {.info = {.id = "what-if",
               .keys = {{{SDLK_z}}},
+              .pad = {render::padKey(SDL_CONTROLLER_BUTTON_LEFTSHOULDER)},
               .icon = Icon::Hint,
               .group = CommandGroup::running,
               .name = "What if",
               .tip = "Change something at this moment, and see the other run beside the real one",
               .help = "what if something had been different at the moment that is shown",
-              .whenOn = {Icon::Hint, "End the what-if", "Show the real run alone again"}},
+              .whenOn = {Icon::Hint, "End the what-if", "Show the real run alone again"},
+              .padPhase = PadPhase::past},
      .run = whatIf,
      .available =
          [](PlayParts const& parts) {
              return hasPast(parts) && (parts.timeline.looksBack() || parts.whatIf->active());
          },
      .on = [](PlayParts const& parts) { return parts.whatIf->active(); }},
+    {.info = {.id = "what-if-card",
+              .keys = {{{SDLK_F9}}},
+              .pad = {render::padKey(SDL_CONTROLLER_BUTTON_RIGHTSHOULDER)},
+              .group = CommandGroup::running,
+              .name = "Keys to the card",
+              .tip = "Let the arrow keys and Space, or a gamepad, work on the card of the what-if; Esc leads "
+                     "back",
+              .help = "change numbers and effects of a what-if by keys",
+              .padPhase = PadPhase::past},
+     .run = [](PlayParts& parts) { parts.whatIfTool->giveCardKeys(!parts.whatIfTool->cardHasKeys()); },
+     .available = [](PlayParts const& parts) { return parts.whatIf->active(); },
+     .on = [](PlayParts const& parts) { return parts.whatIfTool->cardHasKeys(); }},
 };
 
 } // namespace

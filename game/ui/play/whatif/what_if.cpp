@@ -5,17 +5,22 @@
 #include "runtime/level/json/diagnostic.hpp"
 
 #include <algorithm>
+#include <chrono>
 
 namespace trembler::ui {
 namespace {
 
-constexpr std::uint64_t otherFramesAtOnce = 60; // in one picture, of both runs
+double secondsNow() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
 
 } // namespace
 
-WhatIfView::WhatIfView(Registry const& registry, Session const& session, Timeline& timeline)
+WhatIfView::WhatIfView(Registry const& registry, Session const& session, Timeline& timeline,
+                       std::function<double()> clock)
     : registry_(registry), session_(session), timeline_(timeline),
-      stage_([&registry, &session] { return insight::buildAgain(registry, session); }) {}
+      stage_([&registry, &session] { return insight::buildAgain(registry, session); }),
+      clock_(clock ? std::move(clock) : secondsNow) {}
 
 bool WhatIfView::begin() {
     if (session_.altered()) {
@@ -65,7 +70,7 @@ void WhatIfView::drop() {
     next_.reset();
     stage_.forget();
     staged_.reset();
-    moving_ = false;
+    moving_ = working_ = stopped_ = wanted_ = fresh_ = false;
     timeline_.setLane(0);
     timeline_.probes().forgetOther();
 }
@@ -101,14 +106,18 @@ void WhatIfView::leaveOut(std::vector<std::size_t> const& inputs) {
 }
 
 void WhatIfView::compute() {
-    try {
-        next_ = std::make_unique<insight::OtherRun>(registry_, session_, whatIf_);
-        moving_ = true;
-    } catch (InputError const& error) {
-        trouble_ = error.diagnostics().front().print();
-        active_ = false;
-        drop();
+    next_.reset();
+    wanted_ = fresh_ = moving_ = working_ = true;
+    stopped_ = false;
+}
+
+double WhatIfView::progress() const {
+    insight::OtherRun const* const computed = next_ ? next_.get() : shown_.get();
+    std::uint64_t const last = timeline_.last();
+    if (computed == nullptr || wanted_ || last == 0) {
+        return 0;
     }
+    return std::min(static_cast<double>(computed->frame()) / static_cast<double>(last), 1.0);
 }
 
 void WhatIfView::pass() {
@@ -119,9 +128,16 @@ void WhatIfView::pass() {
         end();
         return;
     }
-    insight::OtherRun& computed = next_ ? *next_ : *shown_;
+    if (std::exchange(fresh_, false)) {
+        return; // the next change may come with the next picture, as while a number is dragged
+    }
     try {
-        moving_ = computed.advance(otherFramesAtOnce, timeline_.last());
+        computeOn();
+    } catch (InputError const& error) { // the world cannot be built any more
+        trouble_ = error.diagnostics().front().print();
+        active_ = false;
+        drop();
+        return;
     } catch (std::exception const& error) { // the changed world cannot go on
         trouble_ = error.what();
         active_ = false;
@@ -134,8 +150,36 @@ void WhatIfView::pass() {
         staged_.reset();
         timeline_.probes().forgetOther();
     }
+    moving_ = working_ && !stopped_;
     if (shown_) {
         moving_ = timeline_.probes().readOther(shown_->recording()) || moving_;
+    }
+}
+
+void WhatIfView::computeOn() {
+    if (stopped_) {
+        return;
+    }
+    pace_.begin();
+    double now = clock_();
+    auto const lap = [&] {
+        double const before = std::exchange(now, clock_());
+        return now - before;
+    };
+    if (std::exchange(wanted_, false)) {
+        next_ = std::make_unique<insight::OtherRun>(registry_, session_, whatIf_);
+        pace_.spent(lap());
+    }
+    insight::OtherRun* const computed = next_ ? next_.get() : shown_.get();
+    if (computed == nullptr) {
+        working_ = false;
+        return;
+    }
+    working_ = true;
+    for (std::uint64_t frames = pace_.next(); working_ && frames > 0; frames = pace_.next()) {
+        std::uint64_t const before = computed->frame();
+        working_ = computed->advance(frames, timeline_.last());
+        pace_.took(computed->frame() - before, lap());
     }
 }
 

@@ -2,10 +2,12 @@
 #pragma once
 
 #include "game/ui/play/timeline/timeline.hpp"
+#include "game/ui/play/whatif/picture_pace.hpp"
 #include "insight/whatif/other_run.hpp"
 #include "insight/whatif/settable.hpp"
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -20,8 +22,10 @@ class WhatIfView {
 public:
     static constexpr std::size_t mostKept = 4; ///< what-ifs of this run that can be shown again
 
-    /// All must outlive this. `registry` is the session's.
-    WhatIfView(Registry const& registry, Session const& session, Timeline& timeline);
+    /// All must outlive this. `registry` is the session's. `clock` returns seconds; it decides only how much
+    /// is computed in which picture. Empty: the computer's clock.
+    WhatIfView(Registry const& registry, Session const& session, Timeline& timeline,
+               std::function<double()> clock = {});
 
     [[nodiscard]] bool active() const { return active_; }
     /// Begins a what-if at the moment that the timeline shows, without any change so far. False if the run
@@ -53,10 +57,20 @@ public:
     /// The fields of an object that can be set, as they are at the moment in the other run.
     [[nodiscard]] std::vector<insight::SettableField> fieldsOf(std::string const& object);
 
-    /// Once per picture: computes on.
+    /// Once per picture: computes on, for a few milliseconds at most. While changes come in every picture,
+    /// it waits.
     void pass();
-    /// Whether it has not been computed yet as far as the real run.
+    /// Whether the next picture may show something new although nobody does anything.
     [[nodiscard]] bool moving() const { return moving_; }
+    /// Whether the other run, with all changes, has not been computed yet as far as the real one.
+    [[nodiscard]] bool working() const { return active_ && working_; }
+    /// How far it has been computed, 0 to 1.
+    [[nodiscard]] double progress() const;
+    /// Computes no further until goOn(), or another change; what is known by then stays to be seen.
+    void stop() { stopped_ = working(); }
+    void goOn() { stopped_ = false; }
+    /// Whether it is not computed further although there is more.
+    [[nodiscard]] bool stopped() const { return working() && stopped_; }
     /// The other run as far as it is known; nullptr: there is none yet.
     [[nodiscard]] insight::OtherRun const* run() const { return shown_.get(); }
     /// It in the frame that the timeline shows; nullptr before the moment and where it is not computed.
@@ -67,7 +81,9 @@ public:
     [[nodiscard]] std::optional<std::string> takeTrouble() { return std::exchange(trouble_, {}); }
 
 private:
+    /// With the next picture in which nothing is changed.
     void compute();
+    void computeOn();
     void drop();
 
     Registry const& registry_;
@@ -75,6 +91,10 @@ private:
     Timeline& timeline_;
     bool active_ = false;
     bool moving_ = false;
+    bool working_ = false;
+    bool stopped_ = false;
+    bool wanted_ = false; // the runs are to be begun anew
+    bool fresh_ = false;  // something was changed since the last picture
     insight::WhatIf whatIf_;
     std::vector<insight::WhatIf> kept_;
     std::unique_ptr<insight::OtherRun> shown_;
@@ -82,6 +102,8 @@ private:
     insight::Stage stage_;
     std::optional<std::uint64_t> staged_; // the frame on the stage
     std::optional<std::string> trouble_;
+    std::function<double()> clock_;
+    PicturePace pace_;
 };
 
 } // namespace trembler::ui

@@ -1,6 +1,7 @@
 #include "game/ui/play/whatif/what_if_card.hpp"
 
 #include "game/ui/cards/play_cards.hpp"
+#include "game/ui/play/whatif/what_if_fields.hpp"
 #include "game/ui/play/whatif/what_if_words.hpp"
 #include "game/ui/shared/texts.hpp"
 #include "render/draw/palette.hpp"
@@ -10,7 +11,6 @@
 #include "runtime/component/info.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <string>
 
@@ -19,15 +19,12 @@ namespace {
 
 using namespace render;
 using insight::Change;
-using insight::SettableField;
 
 // Pixels at UI scale 1.
 constexpr float whatIfWidth = 300;
 constexpr float whatIfList = 132; ///< height of what scrolls, if there is room
 constexpr float leastList = 64;
-constexpr float whatIfRest = 182;  ///< height of the rest of the card, and a gap
-constexpr float whatIfName = 132;  ///< of fields
-constexpr double dragShare = 0.01; ///< of a number, for each pixel
+constexpr float whatIfRest = 206; ///< height of the rest of the card, and a gap
 
 std::string secondsAt(std::uint64_t frame) {
     return textWith("{:.2Lf} s", static_cast<double>(frame) / 60);
@@ -52,99 +49,6 @@ std::optional<std::size_t> placeOfChange(insight::WhatIf const& whatIf, Change::
         }
     }
     return std::nullopt;
-}
-
-/// A widget for the field; true while the player changes the amount.
-bool fieldWidgetOf(SettableField const& field, insight::FieldAmount& amount) {
-    double const turned = field.unit.starts_with("rad") ? 180 / pi : 1;
-    std::string const unit =
-        turned != 1 ? "°" + field.unit.substr(3) : (field.unit.empty() ? "" : " " + field.unit);
-    std::string format = "%.4g";
-    for (char const c : unit) {
-        format += c == '%' ? std::string("%%") : std::string(1, c);
-    }
-    auto const number = [&](char const* id, double& value) {
-        double shown = value * turned;
-        double const low = field.least * turned;
-        double const high = field.most * turned;
-        auto const speed = static_cast<float>(std::clamp(dragShare * std::abs(shown), 0.01, 1e6));
-        bool const changed = ImGui::DragScalar(id, ImGuiDataType_Double, &shown, speed, &low, &high,
-                                               format.c_str(), ImGuiSliderFlags_AlwaysClamp);
-        if (changed) {
-            value = shown / turned;
-        }
-        return changed;
-    };
-    switch (field.type) {
-    case FieldType::boolean: {
-        bool on = amount.x != 0;
-        bool const changed = checkBox("##on", &on);
-        amount.x = on ? 1 : 0;
-        return changed;
-    }
-    case FieldType::choice: {
-        bool changed = false;
-        auto const now = static_cast<std::size_t>(amount.x);
-        auto const inWords = [&](std::size_t i) {
-            return i < field.choices.size() ? spokenField(std::string(field.choices[i])) : std::string();
-        };
-        if (ImGui::BeginCombo("##choice", inWords(now).c_str())) {
-            for (std::size_t i = 0; i < field.choices.size(); ++i) {
-                if (ImGui::Selectable(inWords(i).c_str(), i == now) && i != now) {
-                    amount.x = static_cast<double>(i);
-                    changed = true;
-                }
-            }
-            ImGui::EndCombo();
-        }
-        return changed;
-    }
-    case FieldType::vector: {
-        ImGui::SetNextItemWidth(0.5F * ImGui::GetContentRegionAvail().x - scaled(2));
-        bool const x = number("##x", amount.x);
-        ImGui::SameLine(0, scaled(4));
-        ImGui::SetNextItemWidth(-1);
-        return number("##y", amount.y) || x;
-    }
-    default:
-        return number("##number", amount.x);
-    }
-}
-
-void drawFields(Layout& layout, WhatIfView& view, std::string const& object) {
-    ImGui::PushFont(theme().fonts.strong);
-    ImGui::TextWrapped("%s", shownName(object).c_str());
-    ImGui::PopFont();
-    for (SettableField const& field : view.fieldsOf(object)) {
-        std::string const property(field.property->text.key);
-        std::string const name = field.key == "value" ? translated(std::string(field.property->text.name))
-                                                      : spokenField(field.key);
-        std::string const item = "set " + property + "." + field.key;
-        ImGui::PushID(item.c_str());
-        float const left = ImGui::GetCursorPosX();
-        ImGui::AlignTextToFramePadding();
-        ImGui::PushTextWrapPos(left + scaled(whatIfName - 6));
-        ImGui::TextUnformatted(name.c_str());
-        ImGui::PopTextWrapPos();
-        if (ImGui::IsItemHovered()) {
-            ImGui::SetTooltip("%s", translated(std::string(field.property->text.name)).c_str());
-        }
-        ImGui::SameLine();
-        ImGui::SetCursorPosX(left + scaled(whatIfName));
-        ImGui::SetNextItemWidth(-1);
-        insight::FieldAmount amount = field.now;
-        if (fieldWidgetOf(field, amount)) {
-            view.change({.kind = Change::Kind::field,
-                         .object = object,
-                         .property = property,
-                         .field = field.key,
-                         .amount = amount});
-        }
-        if (ImGui::IsItemVisible()) {
-            layout.item(item);
-        }
-        ImGui::PopID();
-    }
 }
 
 void drawLeavingOut(Layout& layout, Session const& session, WhatIfView& view) {
@@ -244,9 +148,43 @@ std::string outcome(WhatIfView const& view) {
     return words;
 }
 
+/// While it is computed: how far, and a button that stops it; once stopped, one that lets it go on. Else as
+/// much room, so that nothing moves when it begins or ends.
+void drawComputing(Layout& layout, WhatIfView& view) {
+    ImGui::PushFont(theme().fonts.small);
+    if (!view.working()) {
+        ImGui::Dummy({0, ImGui::GetFrameHeight()});
+        ImGui::PopFont();
+        return;
+    }
+    int const percent = static_cast<int>(100 * view.progress());
+    bool const stopped = view.stopped();
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(textWith(stopped ? "Stopped at {} %" : "Computing: {} %", percent).c_str());
+    ImGui::SameLine(0, scaled(8));
+    if (ImGui::SmallButton(stopped ? text("Compute on") : text("Stop computing"))) {
+        if (stopped) {
+            view.goOn();
+        } else {
+            view.stop();
+        }
+    }
+    layout.item("what if computing");
+    ImGui::PopFont();
+}
+
 } // namespace
 
-void drawWhatIfCard(CommandButtons& buttons, Session const& session, WhatIfView& view, WhatIfTool const& tool,
+void passKeysToCard(bool pass) {
+    ImGuiIO& io = ImGui::GetIO();
+    if (pass) {
+        io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
+    } else {
+        io.ConfigFlags &= ~ImGuiConfigFlags_NavEnableKeyboard;
+    }
+}
+
+void drawWhatIfCard(CommandButtons& buttons, Session const& session, WhatIfView& view, WhatIfTool& tool,
                     float above) {
     Layout& layout = buttons.layout();
     std::string const heading = textWith("What if, at {}", secondsAt(view.moment()));
@@ -255,7 +193,11 @@ void drawWhatIfCard(CommandButtons& buttons, Session const& session, WhatIfView&
     ImGui::PushStyleColor(ImGuiCol_ChildBg, ImVec4(0, 0, 0, 0));
     float const screen = ImGui::GetIO().DisplaySize.y / theme().scale;
     float const room = std::clamp(screen - above - whatIfRest, leastList, whatIfList);
-    ImGui::BeginChild("changes", {0, scaled(room)});
+    if (tool.takeCardKeysNew()) {
+        ImGui::SetNextWindowFocus();
+    }
+    // The ring moves on from the list to the buttons below it.
+    ImGui::BeginChild("changes", {0, scaled(room)}, false, ImGuiWindowFlags_NavFlattened);
     if (view.whatIf().changes.empty()) {
         caption(text("Drag, turn or remove something, pull it with the second hand, or cut a wire."));
     }
@@ -264,12 +206,13 @@ void drawWhatIfCard(CommandButtons& buttons, Session const& session, WhatIfView&
         caption(text("Only at its moment can something be changed."));
     } else {
         if (!tool.chosen().empty()) {
-            drawFields(layout, view, tool.chosen());
+            drawWhatIfFields(layout, view, tool.chosen());
         }
         drawLeavingOut(layout, session, view);
     }
     ImGui::EndChild();
     ImGui::PopStyleColor();
+    drawComputing(layout, view);
     if (std::string const words = outcome(view); !words.empty()) {
         ImGui::PushFont(theme().fonts.small);
         caption(words.c_str());

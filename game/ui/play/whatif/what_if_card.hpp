@@ -7,8 +7,12 @@
 
 namespace trembler::ui {
 
+/// While the card has the keyboard, ImGui moves its own ring among the widgets. Once per picture, also while
+/// the card is not drawn.
+void passKeysToCard(bool pass);
+
 /// `above`: how far from the bottom, pixels at UI scale 1. Between Gui::beginFrame and endFrame.
-void drawWhatIfCard(CommandButtons& buttons, Session const& session, WhatIfView& view, WhatIfTool const& tool,
+void drawWhatIfCard(CommandButtons& buttons, Session const& session, WhatIfView& view, WhatIfTool& tool,
                     float above);
 
 } // namespace trembler::ui

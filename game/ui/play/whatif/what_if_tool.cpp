@@ -24,6 +24,7 @@ void WhatIfTool::reset() {
     chosen_.clear();
     wire_ = {};
     cutting_ = false;
+    cardKeys_ = false;
 }
 
 bool WhatIfTool::update(Pointer const& pointer, bool pulling) {
@@ -53,6 +54,7 @@ bool WhatIfTool::update(Pointer const& pointer, bool pulling) {
         return pointer.held || pointer.released;
     }
     if (pointer.pressed && !pointer.overCard) {
+        cardKeys_ = false;
         grip(pointer, pulling);
     }
     if (!drag_) {

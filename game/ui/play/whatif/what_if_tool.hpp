@@ -8,6 +8,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 
 namespace trembler::ui {
 
@@ -40,6 +41,13 @@ public:
     [[nodiscard]] std::string const& chosen() const { return chosen_; }
     [[nodiscard]] std::optional<Drag> const& drag() const { return drag_; }
 
+    /// Whether the card of the what-if has the keyboard, and the buttons of a gamepad: arrows move a ring
+    /// among what is on it.
+    [[nodiscard]] bool cardHasKeys() const { return cardKeys_ && view_.active(); }
+    void giveCardKeys(bool give) { cardKeys_ = cardKeysNew_ = give; }
+    /// Whether the ring has to be put on the card; once after giveCardKeys().
+    [[nodiscard]] bool takeCardKeysNew() { return std::exchange(cardKeysNew_, false); }
+
     void turn(int steps, bool fine);
     void nudge(Vec2 steps, bool fine);
     void remove();
@@ -62,6 +70,8 @@ private:
     std::string chosen_;
     std::optional<Drag> drag_;
     bool cutting_ = false;
+    bool cardKeys_ = false;
+    bool cardKeysNew_ = false;
     render::Link wire_;
 };
 

@@ -14,6 +14,11 @@ Inquiry::~Inquiry() {
     clearForgotten(true);
 }
 
+std::unique_ptr<insight::LevelRuns> Inquiry::runsOf(LevelFile level) const {
+    return data_ != nullptr ? std::make_unique<insight::LevelRuns>(*data_, std::move(level))
+                            : std::make_unique<insight::LevelRuns>(registry_, parts_, std::move(level));
+}
+
 void Inquiry::ask(RunAsked run, insight::Question question) {
     forget();
     clearForgotten(false);
@@ -31,8 +36,8 @@ void Inquiry::ask(RunAsked run, insight::Question question) {
                                     return !job.stop.load();
                                 };
                                 try {
-                                    insight::LevelRuns const runs(registry_, parts_, std::move(run.level));
-                                    found.answer = insight::why(runs, run.solution, question, options);
+                                    auto const runs = runsOf(std::move(run.level));
+                                    found.answer = insight::why(*runs, run.solution, question, options);
                                 } catch (insight::NothingHappened const&) {
                                     found.nothing = true;
                                 } catch (std::exception const& error) { // the run cannot be repeated

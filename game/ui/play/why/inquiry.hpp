@@ -65,6 +65,8 @@ private:
         std::future<Found> future;
     };
     void clearForgotten(bool all);
+    /// With the mods, so that effects can be left out as well.
+    [[nodiscard]] std::unique_ptr<insight::LevelRuns> runsOf(LevelFile level) const;
 
     Registry const& registry_;
     PartLibrary const& parts_;

@@ -78,6 +78,74 @@ TEST_F(SolveCommand, EndsWithWhatItHasWhenItIsInterrupted) {
     EXPECT_EQ(json::parse(ran.out)["complete"], false);
 }
 
+/// All levels of a table without their times.
+json timelessTable(std::string const& text) {
+    json all = json::parse(text);
+    for (json& level : all["levels"]) {
+        for (char const* const key : {"seconds", "runs_per_second", "threads", "processes"}) {
+            level.erase(key);
+        }
+    }
+    return all;
+}
+
+TEST_F(SolveCommand, ComparesManyLevelsInOneTable) {
+    std::string const other = levelFile("first/3-pass-it-on.json").string();
+    std::vector<std::string> const many{"solve",    good,     other,        "--runs",    "40",
+                                        "--frames", "300",    "--no-hands", "--compare", "--markdown",
+                                        at("t.md"), "--json", at("t.json")};
+    Ran const ran = runProgram(many);
+    ASSERT_LE(ran.status, 1) << ran.err;
+    json const all = json::parse(contentsOf(at("t.json")));
+    ASSERT_EQ(all["levels"].size(), 2U);
+    EXPECT_EQ(all["complete"], true);
+    std::size_t solved = 0;
+    std::size_t random = 0;
+    for (json const& level : all["levels"]) {
+        EXPECT_EQ(level["runs"], 40);
+        EXPECT_EQ(level["random"]["runs"], 40);
+        EXPECT_GT(level["runs_per_second"].get<double>(), 0);
+        solved += level["solved_runs"] > 0 ? 1U : 0U;
+        random += level["random"]["solved_runs"] > 0 ? 1U : 0U;
+    }
+    EXPECT_EQ(all["solved_by_search"], solved);
+    EXPECT_EQ(all["solved_at_random"], random);
+    EXPECT_EQ(ran.status, solved == 2 ? 0 : 1);
+    std::string const table = contentsOf(at("t.md"));
+    EXPECT_NE(table.find("| level | runs | solved |"), std::string::npos) << table;
+    EXPECT_NE(table.find("at random"), std::string::npos) << table;
+    EXPECT_NE(ran.out.find("Solved by the search: "), std::string::npos) << ran.out;
+    // One level of the table is what the command says of it alone.
+    Ran const alone =
+        runProgram({"solve", good, "--runs", "40", "--frames", "300", "--no-hands", "--compare", "--json"});
+    EXPECT_EQ(timeless(alone.out), timelessTable(contentsOf(at("t.json")))["levels"][0]);
+}
+
+TEST_F(SolveCommand, GoesOnWithManyLevelsFromAJournal) {
+    std::filesystem::create_directories(at("pack"));
+    std::filesystem::copy_file(good, at("pack/a.json"));
+    std::filesystem::copy_file(levelFile("first/3-pass-it-on.json"), at("pack/b.json"));
+    std::vector<std::string> const many{"solve", at("pack"),  "--runs", "40",       "--frames",
+                                        "300",   "--compare", "--json", "--resume", at("j.jsonl")};
+    RunAs how;
+    how.meanwhile = [this](int process) { // in the middle of the first level, or later
+        std::error_code error;
+        while (!std::filesystem::exists(at("j.jsonl"), error) ||
+               std::filesystem::file_size(at("j.jsonl"), error) == 0) {
+            ::usleep(10'000);
+        }
+        ::kill(process, SIGINT);
+    };
+    Ran const stopped = runProgram(many, how);
+    EXPECT_GE(stopped.status, 0) << "it ended by itself";
+    Ran const gone = runProgram(many);
+    ASSERT_LE(gone.status, 1) << gone.err;
+    Ran const again = runProgram(many);
+    EXPECT_EQ(json::parse(gone.out), json::parse(again.out)) << "the times of the first time are kept";
+    std::vector<std::string> anew(many.begin(), many.end() - 2);
+    EXPECT_EQ(timelessTable(runProgram(anew).out), timelessTable(gone.out));
+}
+
 TEST_F(SolveCommand, RefusesBadInput) {
     EXPECT_EQ(runProgram({"solve", at("none.json")}).status, 2);
     EXPECT_EQ(runProgram({"solve", good, "--runs", "0"}).status, 2);

@@ -1,4 +1,5 @@
 // Key bindings: the player's choices, and valid and invalid profiles.
+#include "render/window/gamepad.hpp"
 #include "tests/game/ui/commands/counting_screen.hpp"
 
 #include <gtest/gtest.h>
@@ -137,6 +138,46 @@ TEST(Bindings, NoProfileMakesAConflict) {
         RC_ASSERT(again.load(bindings.stated()).empty());
         RC_ASSERT(again.stated() == bindings.stated());
     }));
+}
+
+/// A screen whose commands all have one button of a gamepad.
+struct OneButton {
+    PadPhase now = PadPhase::running;
+    bool mayLook = true;
+    bool mayBuild = true;
+    std::string done{};
+
+    [[nodiscard]] PadPhase phase() const { return now; }
+};
+constexpr Chord theButton{render::padKey(SDL_CONTROLLER_BUTTON_A)};
+constexpr std::array<Command<OneButton>, 3> oneButtonTable{
+    {{.info = {.id = "go", .pad = theButton, .padPhase = PadPhase::running},
+      .run = [](OneButton& screen) { screen.done = "go"; }},
+     {.info = {.id = "look", .pad = theButton, .padPhase = PadPhase::past},
+      .run = [](OneButton& screen) { screen.done = "look"; },
+      .available = [](OneButton const& screen) { return screen.mayLook; }},
+     {.info = {.id = "build", .pad = theButton, .padPhase = PadPhase::building},
+      .run = [](OneButton& screen) { screen.done = "build"; },
+      .available = [](OneButton const& screen) { return screen.mayBuild; }}}};
+
+// While the past is looked at a button means the best of what can be done.
+TEST(Bindings, AButtonOfAGamepadMeansWhatCanBeDoneNow) {
+    KeyBindings const bindings({listOf(std::span<Command<OneButton> const>(oneButtonTable))});
+    auto const pressed = [&](OneButton screen) {
+        CommandsOf<OneButton> commands(oneButtonTable, screen);
+        SDL_Keysym key{};
+        key.sym = theButton.key;
+        if (auto const index = bindings.find(commands, key)) {
+            commands.run(*index);
+        }
+        return screen.done;
+    };
+    EXPECT_EQ(pressed({.now = PadPhase::running}), "go");
+    EXPECT_EQ(pressed({.now = PadPhase::building}), "build");
+    EXPECT_EQ(pressed({.now = PadPhase::past}), "look");
+    EXPECT_EQ(pressed({.now = PadPhase::past, .mayLook = false}), "build");
+    EXPECT_EQ(pressed({.now = PadPhase::past, .mayLook = false, .mayBuild = false}), "go");
+    EXPECT_EQ(pressed({.now = PadPhase::building, .mayBuild = false}), "") << "it means nothing else then";
 }
 
 TEST(Bindings, TipsNameTheCurrentKey) {

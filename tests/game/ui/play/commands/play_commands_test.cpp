@@ -103,6 +103,7 @@ TEST(Commands, UsualKeysStayAsTheyAre) {
                                                    {"cut", "X"},
                                                    {"second-hand", "G"},
                                                    {"what-if", "Z"},
+                                                   {"what-if-card", "F9"},
                                                    {"why", "Y"},
                                                    {"why-goal", "Shift+Y"},
                                                    {"why-before", "A"},

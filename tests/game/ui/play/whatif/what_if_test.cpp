@@ -30,10 +30,11 @@ void lookAt(Player& player, std::uint64_t frame, std::uint64_t frames = 90) {
 
 /// Until the other run is computed.
 void await(Player& player) {
-    for (int i = 0; i < 60 && player.play().whatIf().moving(); ++i) {
+    player.frame(); // a change is taken up with the next picture
+    for (int i = 0; i < 6000 && player.play().whatIf().moving(); ++i) {
         player.frame();
     }
-    player.frames(2);
+    player.frames(4); // the card has found its size
 }
 
 Vec2 ballAt(Player& player) {
@@ -166,8 +167,9 @@ TEST(WhatIf, AGamepadChoosesTurnsAndRemoves) {
     }
     Player player;
     lookAt(player, 20);
-    player.key(SDLK_z); // the command has no button of its own; the list of all commands has it
+    pad.press(player, SDL_CONTROLLER_BUTTON_LEFTSHOULDER);
     WhatIfView const& view = player.play().whatIf();
+    ASSERT_TRUE(view.active());
     await(player);
     Vec2 const from = ballAt(player);
     // The pointer of the keys goes to the ball, where A holds it.

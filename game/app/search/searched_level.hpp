@@ -1,0 +1,49 @@
+// One level of `trembler solve`: the search for its solutions, and placing at random in comparison.
+#pragma once
+
+#include "game/app/search/solve_arguments.hpp"
+#include "insight/search/search.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace trembler {
+
+struct SearchedLevel {
+    std::filesystem::path file;
+    std::string name;
+    insight::SearchResult search;
+    std::optional<insight::SearchResult> chance; ///< placed at random in as many runs
+    bool complete = true;                        ///< false: it was stopped
+    /// s that the search took; nothing if some of its runs were done earlier (`--resume`), and how long they
+    /// took is not known.
+    std::optional<double> seconds;
+
+    /// Nothing if the seconds are not known.
+    [[nodiscard]] std::optional<double> runsPerSecond() const;
+};
+
+/// Searches, in all members of a team. `keepSeconds`: how long it took is written into the journal, for who
+/// goes on later.
+[[nodiscard]] SearchedLevel searchLevel(insight::LevelUnderTest const& level,
+                                        std::filesystem::path const& file, SolveArguments const& arguments,
+                                        std::uint64_t runs, bool keepSeconds, WorkPlace& place);
+
+/// What is told of a level.
+struct ToldLevel {
+    nlohmann::ordered_json json;
+    std::vector<std::string> lines; ///< for people, one for each kind of solution
+};
+/// In the leader only. Keeps what was found, if that is asked for. Throws OutputError.
+[[nodiscard]] ToldLevel tell(SearchedLevel const& searched, insight::LevelUnderTest const& level,
+                             SolveArguments const& arguments, WorkPlace& place);
+
+/// "117 of 200 runs solve it, the first one run 5; 2 kinds of solutions"
+[[nodiscard]] std::string countsInWords(insight::SearchResult const& result);
+
+} // namespace trembler
