@@ -19,6 +19,7 @@ using namespace render;
 using edit::Json;
 
 constexpr float shareOfName = 0.38F;
+constexpr float arrowGap = 3; // pixels at UI scale 1
 
 std::string numberFormat(std::string const& unit, bool whole) {
     std::string format = whole ? "%.0f" : "%.5g";
@@ -255,6 +256,30 @@ bool smallButton(EditParts& parts, char const* label, std::string const& item, c
         ImGui::SetTooltip("%s", tip);
     }
     return clicked;
+}
+
+std::optional<std::size_t> orderArrows(EditParts& parts, std::string const& item, std::size_t index,
+                                       std::size_t count) {
+    std::optional<std::size_t> to;
+    auto const arrow = [&](char const* id, ImGuiDir way, bool possible, char const* tip, std::size_t target) {
+        ImGui::SameLine(0, scaled(arrowGap));
+        ImGui::BeginDisabled(!possible); // it keeps its place under a mouse that clicks it again
+        if (ImGui::ArrowButton(id, way)) {
+            to = target;
+        }
+        ImGui::EndDisabled();
+        parts.context.layout.item(item + " " + id);
+        if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) {
+            ImGui::SetTooltip("%s", tip);
+        }
+    };
+    arrow("up", ImGuiDir_Up, index > 0, words::upIt, index - 1);
+    arrow("down", ImGuiDir_Down, index + 1 < count, words::downIt, index + 1);
+    return to;
+}
+
+float orderArrowsWidth() {
+    return 2 * (ImGui::GetFrameHeight() + scaled(arrowGap));
 }
 
 void besideIfRoom(char const* label) {

@@ -5,6 +5,7 @@
 #include "puzzle/edit/commands/contents.hpp"
 #include "puzzle/edit/commands/editor_state.hpp"
 #include "puzzle/edit/commands/objects.hpp"
+#include "puzzle/edit/tree/part_statements.hpp"
 #include "render/panels/check_box.hpp"
 #include "render/panels/theme.hpp"
 
@@ -97,7 +98,7 @@ StepChange editStep(EditParts& parts, std::string const& kind, std::string const
         change.touched = change.touched || touched;
         change.continuous = change.continuous || touched;
     };
-    auto const objects = edit::objectNames(parts.tree());
+    auto const objects = edit::namesOfObjectsAndPieces(*parts.data, parts.tree());
     if (kind == "place") {
         change.touched =
             nameChoice(parts, words::partField, item + " part", step[kind], partsOfToolbox(parts.tree()));

@@ -155,10 +155,13 @@ void EditMouse::releaseConnecting(EditParts& parts) {
 void EditMouse::release(EditParts& parts) {
     switch (std::exchange(doing_, Doing::nothing)) {
     case Doing::pressing: // a click without a drag
-        if (parts.pointer.twice) {
-            parts.tab = Tab::properties;
-        }
         parts.selection.set(edit::withGroups(parts.tree(), {clicked_}));
+        parts.selection.choosePiece("");
+        if (pressedTwice_) { // of several pieces, the one under the pointer
+            parts.tab = Tab::properties;
+            parts.selection.set({clicked_});
+            parts.selection.choosePiece(pickPiece(parts, clicked_, parts.pointer.world));
+        }
         break;
     case Doing::boxing:
         if (parts.pointer.strayed(pressedAt_) <= dragThreshold) {
