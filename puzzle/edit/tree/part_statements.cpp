@@ -106,7 +106,10 @@ Json PartStatements::of(std::string const& part, std::string const& piece, Prope
         }
         MadeObject const* const made = composite->object(piece.empty() ? composite->main() : pieceNamed(part, piece));
         StatedProperties const* const place = made == nullptr ? nullptr : made->determining(info);
-        value = place == nullptr ? nullptr : place->set->find(info);
+        PropertyInfo const* const basis = data_.registry.objectProperty(info.text.madeFor);
+        // What was made for another shape, as a drawing was, is not taken from further inside.
+        bool const outdated = place != nullptr && basis != nullptr && made->determining(*basis) > place;
+        value = place == nullptr || outdated ? nullptr : place->set->find(info);
     } else if (PartDefinition const* const known = data_.parts.find(part); known != nullptr && piece.empty()) {
         value = known->properties.find(info);
     }
