@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 
 namespace trembler::ui {
 namespace {
@@ -199,8 +200,12 @@ std::optional<Json> fieldWidget(EditParts& parts, edit::InspectedField const& fi
     case FieldType::choice: {
         std::string chosen = field.value.is_string() ? field.value.get<std::string>() : "";
         bool const named = field.type == FieldType::object; // names of objects are the designer's
-        if (choiceField(parts, item, chosen, field.choices, named ? nullptr : shownChoice)) {
-            result = chosen;
+        std::vector<std::string> choices = field.choices;
+        if (named && !field.required && !field.place.empty()) {
+            choices.insert(choices.begin(), ""); // none, as the world for a joint
+        }
+        if (choiceField(parts, item, chosen, choices, named ? nullptr : shownChoice)) {
+            result = chosen.empty() ? Json() : Json(chosen);
         }
         break;
     }
@@ -243,8 +248,24 @@ std::optional<Area> areaFields(EditParts& parts, Area const& area, std::string c
         pair(words::cornerField, "corner", changed.box->corner, -1e6);
         pair(words::sizeField, "size", changed.box->size, 0.001);
     }
+    std::optional<std::size_t> removed;
+    bool const many = changed.corners.size() > 3;
     for (std::size_t i = 0; i < changed.corners.size(); ++i) {
-        pair(words::cornerField, std::to_string(i), changed.corners[i], -1e6);
+        std::string const number = std::to_string(i);
+        pair(words::cornerField, number, changed.corners[i], -1e6);
+        if (many && smallButton(parts, words::removeIt, item + " " + number + " remove")) {
+            removed = i;
+        }
+    }
+    bool const added = !changed.corners.empty() && smallButton(parts, words::addEntry, item + " add");
+    if (removed || added) {
+        parts.widget = {parts.document.newGesture(), edit::Gesture::Next::replaces};
+        touched = true;
+    }
+    if (removed) {
+        changed.corners.erase(changed.corners.begin() + static_cast<std::ptrdiff_t>(*removed));
+    } else if (added) { // where it changes nothing yet
+        changed.corners.push_back(0.5 * (changed.corners.front() + changed.corners.back()));
     }
     return touched ? std::optional(changed) : std::nullopt;
 }

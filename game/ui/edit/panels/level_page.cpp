@@ -192,8 +192,16 @@ void drawMods(EditParts& parts) {
     std::vector<std::string> mods = parts.level.mods;
     bool changed = false;
     auto const folders = lua::modFolders({}, parts.document.path(), parts.options.data->home);
+    std::vector<std::string> names;
     for (std::filesystem::path const& folder : lua::listMods(folders)) {
-        std::string const name = folder.filename().string();
+        names.push_back(folder.filename().string());
+    }
+    for (std::string const& name : mods) { // also one that is nowhere, so that it can be taken out
+        if (std::find(names.begin(), names.end(), name) == names.end()) {
+            names.push_back(name);
+        }
+    }
+    for (std::string const& name : names) {
         auto const at = std::find(mods.begin(), mods.end(), name);
         bool on = at != mods.end();
         if (render::checkBox(name.c_str(), &on)) {

@@ -57,11 +57,13 @@ void drawList(Owner const& owner, std::string const& key, InspectedField const& 
         ImGui::PopID();
     }
     // Lists of several objects that differ in length have no common end.
-    bool const several = field.mixed && field.entries.empty();
+    if (owner.world || (field.mixed && field.entries.empty())) {
+        return;
+    }
     if (field.entries.empty()) {
         fieldName(shownField(field.name), text(field.help));
     }
-    if (!owner.world && !several && smallButton(parts, words::addEntry, "add " + key + field.place)) {
+    if (smallButton(parts, words::addEntry, "add " + key + field.place)) {
         Json const entry = field.value.is_array() && !field.value.empty() ? field.value.back() : Json();
         runWidget(
             parts,
