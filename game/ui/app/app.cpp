@@ -222,7 +222,7 @@ bool GameApp::frame(double seconds, bool seen) {
     }
     std::optional<render::Toasts::Rectangle> kept; // nothing hides that the level is solved
     if (auto const success = context_.layout.card("success"); success && !menu_.isOpen()) {
-        kept = {success->low, success->high};
+        kept.emplace(success->low, success->high);
     }
     context_.toasts.draw(seconds, kept); // seen or not, they grow older
     if (drawn) {

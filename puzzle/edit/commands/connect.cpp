@@ -20,7 +20,7 @@ bool statesTwoEnds(std::string_view form) {
 }
 
 /// Whether a name is that of something inside an object that is made from a part: "door coil".
-bool isInside(Json const& level, std::string const& name) {
+bool isInsideAnObject(Json const& level, std::string const& name) {
     Json const* const list = findList(level, "objects");
     return list != nullptr && std::any_of(list->begin(), list->end(), [&](Json const& entry) {
                std::string const object = textOf(entry, "name");
@@ -31,7 +31,7 @@ bool isInside(Json const& level, std::string const& name) {
 /// Pieces of composite parts may be ends; whether a part has them is a question for the list of problems.
 void mustBeEnds(Json const& level, std::string const& a, std::string const& b) {
     for (std::string const& name : {a, b}) {
-        if (!isInside(level, name)) {
+        if (!isInsideAnObject(level, name)) {
             mustHaveObjects(level, {name});
         }
     }
@@ -103,7 +103,7 @@ std::vector<ConnectionEntry> connectionsOf(Json const& level) {
 
 Command addJoint(GameData const& data, Json const& level, std::string const& form, std::string const& a,
                  std::string const& b, Vec2 at, Vec2 atB) {
-    if (!isInside(level, a)) {
+    if (!isInsideAnObject(level, a)) {
         mustHaveObjects(level, {a});
     }
     if (!b.empty()) {

@@ -108,7 +108,9 @@ Json PartStatements::of(std::string const& part, std::string const& piece, Prope
         StatedProperties const* const place = made == nullptr ? nullptr : made->determining(info);
         PropertyInfo const* const basis = data_.registry.objectProperty(info.text.madeFor);
         // What was made for another shape, as a drawing was, is not taken from further inside.
-        bool const outdated = place != nullptr && basis != nullptr && made->determining(*basis) > place;
+        StatedProperties const* const other =
+            place == nullptr || basis == nullptr ? nullptr : made->determining(*basis);
+        bool const outdated = other != nullptr && other > place; // both are entries of one list
         value = place == nullptr || outdated ? nullptr : place->set->find(info);
     } else if (PartDefinition const* const known = data_.parts.find(part); known != nullptr && piece.empty()) {
         value = known->properties.find(info);

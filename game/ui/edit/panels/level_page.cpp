@@ -67,10 +67,10 @@ void drawTexts(EditParts& parts) {
     }
 }
 
-/// How many wires the player may lay; `width` of the field in pixels.
-void drawWires(EditParts& parts, double count, float width) {
+/// How many wires the player may lay; `beside` is the width of the buttons that follow in pixels.
+void drawWires(EditParts& parts, double count, float beside) {
     fieldName(words::wiresField, words::wiresTip);
-    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - width);
+    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - beside);
     if (numberField(parts, "wires", count, 0, 1000, "", true)) {
         runWidget(
             parts, [&](Json const& level) { return edit::setWires(level, static_cast<int>(count)); }, true);

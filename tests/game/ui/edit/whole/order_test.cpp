@@ -7,7 +7,7 @@ namespace trembler::ui::test {
 namespace order_test {
 namespace {
 
-char const* const level = R"({"version": 2, "title": "Order",
+char const* const orderedLevel = R"({"version": 2, "title": "Order",
     "world": {"gravity": [0, -9.81], "bounds": [-4, -0.5, 8, 4.5]},
     "objects": [
         {"name": "floor", "at": [0, -0.15], "properties": {"material": "stone", "fixed": true,
@@ -73,7 +73,7 @@ void ringTo(Designer& designer, std::string const& item) {
 
 TEST(EditorOrder, OfTheToolboxByMouse) {
     Designer designer;
-    designer.editText(level);
+    designer.editText(orderedLevel);
     std::string const before = designer.parts().document.text();
     designer.key(SDLK_F6);
     designer.frames(3);
@@ -98,7 +98,7 @@ TEST(EditorOrder, OfTheToolboxByMouse) {
 
 TEST(EditorOrder, OfSolutionsByMouse) {
     Designer designer;
-    designer.editText(level);
+    designer.editText(orderedLevel);
     std::string const before = designer.parts().document.text();
     designer.key(SDLK_F7);
     designer.frames(3);
@@ -120,7 +120,7 @@ TEST(EditorOrder, OfSolutionsByMouse) {
 
 TEST(EditorOrder, ByKeyboardTheRingStaysWithWhatIsMoved) {
     Designer designer;
-    designer.editText(level);
+    designer.editText(orderedLevel);
     designer.key(SDLK_F7);
     designer.frames(2);
     designer.key(SDLK_F9);

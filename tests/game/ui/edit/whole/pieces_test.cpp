@@ -126,10 +126,9 @@ TEST(EditorPieces, CanBeWhatGoalsAreAbout) {
     designer.frames(2);
     designer.clickItem("goal/0");
     designer.frames(2);
-    designer.scrollTo("panel", "goal/0 = back bell coil");
-    designer.clickItem("goal/0 = back bell coil");
+    designer.clickItem("goal/0 = front bell coil");
     designer.frames(2);
-    EXPECT_EQ(designer.tree()["goals"]["moved"]["object"], "back bell coil");
+    EXPECT_EQ(designer.tree()["goals"]["moved"]["object"], "front bell coil");
 }
 
 TEST(EditorPieces, AnObjectIsFlippedByACheckBox) {
