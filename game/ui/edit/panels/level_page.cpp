@@ -52,15 +52,14 @@ void drawTexts(EditParts& parts) {
         if (committedText(parts, item, hint, 2)) {
             parts.run([&](Json const& level) { return edit::setHint(level, i, hint); });
         }
+        ImGui::PushID(static_cast<int>(i));
         if (smallButton(parts, words::removeIt, item + " remove")) {
             parts.run([&](Json const& level) { return edit::removeHint(level, i); });
         }
-        if (i > 0) {
-            besideIfRoom(words::upIt);
-            if (smallButton(parts, words::upIt, item + " up")) {
-                parts.run([&](Json const& level) { return edit::moveHint(level, i, i - 1); });
-            }
+        if (auto const to = orderArrows(parts, item, i, hints.size())) {
+            parts.run([&](Json const& level) { return edit::moveHint(level, i, *to); });
         }
+        ImGui::PopID();
     }
     if (smallButton(parts, words::addHint, "add hint")) {
         parts.run([&](Json const& level) { return edit::addHint(level, words::newHint); });

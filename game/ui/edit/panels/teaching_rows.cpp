@@ -127,7 +127,8 @@ StepChange editStep(EditParts& parts, std::string const& kind, std::string const
     return change;
 }
 
-void drawStep(EditParts& parts, Json const& stated, std::size_t index) {
+void drawStep(EditParts& parts, Json const& stated, std::size_t index, std::size_t count) {
+    ImGui::PushID(static_cast<int>(index));
     std::string const item = "step " + std::to_string(index);
     std::string const kind = kindOfStep(stated);
     ImGui::Text("%zu. %s", index + 1, shownStep(kind).c_str());
@@ -140,12 +141,10 @@ void drawStep(EditParts& parts, Json const& stated, std::size_t index) {
     if (smallButton(parts, words::removeIt, item + " remove")) {
         parts.run([&](Json const& level) { return edit::removeStep(level, index); });
     }
-    if (index > 0) {
-        besideIfRoom(words::upIt);
-        if (smallButton(parts, words::upIt, item + " up")) {
-            parts.run([&](Json const& level) { return edit::moveStep(level, index, index - 1); });
-        }
+    if (auto const to = orderArrows(parts, item, index, count)) {
+        parts.run([&](Json const& level) { return edit::moveStep(level, index, *to); });
     }
+    ImGui::PopID();
 }
 
 void drawAddStep(EditParts& parts) {
@@ -189,7 +188,7 @@ void drawTeachingSteps(EditParts& parts) {
                            ? parts.tree()["teaching"]
                            : Json::array();
     for (std::size_t i = 0; i < steps.size(); ++i) {
-        drawStep(parts, steps[i], i);
+        drawStep(parts, steps[i], i, steps.size());
     }
     drawAddStep(parts);
 }

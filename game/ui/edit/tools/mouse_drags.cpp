@@ -157,10 +157,13 @@ void EditMouse::release(EditParts& parts) {
     case Doing::pressing: // a click without a drag
         parts.selection.set(edit::withGroups(parts.tree(), {clicked_}));
         parts.selection.choosePiece("");
-        if (pressedTwice_) { // of several pieces, the one under the pointer
+        if (pressedTwice_) {
             parts.tab = Tab::properties;
-            parts.selection.set({clicked_});
-            parts.selection.choosePiece(pickPiece(parts, clicked_, parts.pointer.world));
+            std::string const piece = pickPiece(parts, clicked_, parts.pointer.world);
+            if (!piece.empty()) {
+                parts.selection.set({clicked_}); // without its group
+                parts.selection.choosePiece(piece);
+            }
         }
         break;
     case Doing::boxing:

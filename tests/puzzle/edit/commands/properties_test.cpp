@@ -112,8 +112,13 @@ TEST(PieceCommands, GoWithTheObject) {
     EXPECT_NE(document.tree()["goals"].dump().find("door striker"), std::string::npos);
     EXPECT_EQ(document.tree()["goals"].dump().find("front"), std::string::npos);
     // What properties of pieces refer to is renamed, too.
-    document.run(setField(editData(), document.tree(), {"door"}, "electric_motor", "",
-                          Json{{"torque", 1}, {"against", "right"}}, "striker"));
+    document.run({"Test", [](Json& tree) {
+                      for (Json& object : tree["objects"]) {
+                          if (object["name"] == "door") {
+                              object["pieces"]["striker"]["electric_motor"] = {{"torque", 1}, {"against", "right"}};
+                          }
+                      }
+                  }});
     document.run(renameObject(editData(), document.tree(), "right", "east"));
     EXPECT_EQ(entryOf(document, "door")["pieces"]["striker"]["electric_motor"]["against"], "east");
     document.run(duplicateObjects(editData(), document.tree(), {"door"}, {1, 0}));
