@@ -57,8 +57,9 @@ void Toasts::draw(double seconds, std::optional<Rectangle> kept) {
         float const height = std::max(text.y, mark) + 2 * scaled(10);
         float const left = 0.5F * (screen.x - width);
         float highest = 0; // where it may begin while it comes down
-        if (kept && left < static_cast<float>(kept->second.x) && left + width > static_cast<float>(kept->first.x) &&
-            y < static_cast<float>(kept->second.y) && y + height > static_cast<float>(kept->first.y)) {
+        if (kept && left < static_cast<float>(kept->second.x) &&
+            left + width > static_cast<float>(kept->first.x) && y < static_cast<float>(kept->second.y) &&
+            y + height > static_cast<float>(kept->first.y)) {
             highest = static_cast<float>(kept->second.y) + scaled(4);
             y = static_cast<float>(kept->second.y) + scaled(10);
         }

@@ -22,8 +22,8 @@ public:
 
     /// Corners of a rectangle of the window, pixels from the top left.
     using Rectangle = std::pair<Point, Point>;
-    /// Draws them at the top of the window and lets `seconds` pass; between Gui::beginFrame and endFrame. Those
-    /// that would lie on `kept` come below it.
+    /// Draws them at the top of the window and lets `seconds` pass; between Gui::beginFrame and endFrame.
+    /// Those that would lie on `kept` come below it.
     void draw(double seconds, std::optional<Rectangle> kept = {});
 
     [[nodiscard]] std::size_t count() const { return toasts_.size(); }

@@ -46,8 +46,7 @@ namespace trembler::edit {
 /// An entry of null is one with initial values.
 [[nodiscard]] Command addListEntry(GameData const& data, Json const& level,
                                    std::vector<std::string> const& names, std::string const& property,
-                                   std::string const& list, Json const& entry,
-                                   std::string const& piece = {});
+                                   std::string const& list, Json const& entry, std::string const& piece = {});
 [[nodiscard]] Command removeListEntry(GameData const& data, Json const& level,
                                       std::vector<std::string> const& names, std::string const& property,
                                       std::string const& list, std::size_t index,

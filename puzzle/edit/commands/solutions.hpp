@@ -14,8 +14,8 @@ namespace trembler::edit {
 /// Adds a solution that was recorded by playing (Session::record()). A number is added to its name if that is
 /// taken. Command::selects is empty: solutions are no objects.
 [[nodiscard]] Command addSolution(Json const& level, Solution const& solution);
-/// Records a solution again: its placements, wires, inputs, changes and frames are replaced; its name, and whether
-/// it is expected to solve the level, stay.
+/// Records a solution again: its placements, wires, inputs, changes and frames are replaced; its name, and
+/// whether it is expected to solve the level, stay.
 [[nodiscard]] Command recordAgain(Json const& level, std::string const& name, Solution const& solution);
 [[nodiscard]] Command renameSolution(Json const& level, std::string const& name, std::string const& to);
 [[nodiscard]] Command removeSolution(Json const& level, std::string const& name);

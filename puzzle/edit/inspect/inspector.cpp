@@ -204,9 +204,8 @@ std::vector<InspectedPiece> inspectPieces(GameData const& data, Json const& leve
         }
         std::vector<InspectedPiece> both;
         for (InspectedPiece const& piece : common) {
-            auto const other = std::find_if(here.begin(), here.end(), [&](InspectedPiece const& one) {
-                return one.name == piece.name;
-            });
+            auto const other = std::find_if(
+                here.begin(), here.end(), [&](InspectedPiece const& one) { return one.name == piece.name; });
             if (other != here.end()) {
                 both.push_back({piece.name, piece.main && other->main, piece.stated || other->stated});
             }

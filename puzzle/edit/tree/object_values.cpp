@@ -73,9 +73,8 @@ Json effectiveStatement(PartStatements& parts, Json const& entry, PropertyInfo c
     if (own == nullptr && !piece.empty()) {
         std::vector<PartPiece> const& all = parts.pieces(part);
         std::string const meant = parts.pieceNamed(part, piece);
-        bool const main = std::any_of(all.begin(), all.end(), [&](PartPiece const& one) {
-            return one.main && one.name == meant;
-        });
+        bool const main = std::any_of(all.begin(), all.end(),
+                                      [&](PartPiece const& one) { return one.main && one.name == meant; });
         own = main ? ownStatement(entry, info) : nullptr;
     }
     if (own != nullptr) {
@@ -123,7 +122,8 @@ void setStatement(Json& entry, PropertyInfo const& info, Json value, std::string
         setObjectMember(entry, around, Json::object());
     }
     Json& stated = entry[around];
-    bool const other = !piece.empty() && stated.is_object() && stated.contains(piece) && !stated[piece].is_object();
+    bool const other =
+        !piece.empty() && stated.is_object() && stated.contains(piece) && !stated[piece].is_object();
     if (!stated.is_object() || other) {
         throw CommandError("the properties of an object are no object");
     }

@@ -15,8 +15,7 @@ constexpr std::size_t beforeInside = 2; // bytes of an entry's name and the blan
 
 /// A composite part as an entry of a one-letter name becomes it.
 struct PartStatements::Composite {
-    Composite(GameData const& data, std::string const& part)
-        : expander(data.parts, [](auto const&...) {}) {
+    Composite(GameData const& data, std::string const& part) : expander(data.parts, [](auto const&...) {}) {
         entry.name = "x";
         entry.part = part;
         made = expander.expand(entry, scope);
@@ -104,7 +103,8 @@ Json PartStatements::of(std::string const& part, std::string const& piece, Prope
         if (info.text.place != PropertyPlace::properties) { // where a piece lies is not where the object does
             return {};
         }
-        MadeObject const* const made = composite->object(piece.empty() ? composite->main() : pieceNamed(part, piece));
+        MadeObject const* const made =
+            composite->object(piece.empty() ? composite->main() : pieceNamed(part, piece));
         StatedProperties const* const place = made == nullptr ? nullptr : made->determining(info);
         PropertyInfo const* const basis = data_.registry.objectProperty(info.text.madeFor);
         // What was made for another shape, as a drawing was, is not taken from further inside.
@@ -112,7 +112,8 @@ Json PartStatements::of(std::string const& part, std::string const& piece, Prope
             place == nullptr || basis == nullptr ? nullptr : made->determining(*basis);
         bool const outdated = other != nullptr && other > place; // both are entries of one list
         value = place == nullptr || outdated ? nullptr : place->set->find(info);
-    } else if (PartDefinition const* const known = data_.parts.find(part); known != nullptr && piece.empty()) {
+    } else if (PartDefinition const* const known = data_.parts.find(part);
+               known != nullptr && piece.empty()) {
         value = known->properties.find(info);
     }
     return value == nullptr ? Json() : writeProperty(*value);

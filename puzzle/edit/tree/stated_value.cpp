@@ -51,7 +51,8 @@ public:
     }
     void number(FieldInfo const& info, double& value) override {
         if (value < info.minimum || (info.minimumExcluded && value <= info.minimum)) {
-            value = info.minimumExcluded ? std::min(std::max(1.0, 2 * info.minimum), info.maximum) : info.minimum;
+            value =
+                info.minimumExcluded ? std::min(std::max(1.0, 2 * info.minimum), info.maximum) : info.minimum;
         }
     }
     void vector(FieldInfo const& /*info*/, Vec2& /*value*/) override {}

@@ -84,9 +84,8 @@ std::vector<std::pair<ObjectId, Vec2 const*>> axlesOf(Store const& store) {
     std::stable_sort(turning.begin(), turning.end(),
                      [](auto const& one, auto const& other) { return one.first < other.first; });
     auto const add = [&](ObjectId object, ObjectId body) {
-        auto const hinge =
-            std::lower_bound(turning.begin(), turning.end(), body,
-                             [](auto const& entry, ObjectId id) { return entry.first < id; });
+        auto const hinge = std::lower_bound(turning.begin(), turning.end(), body,
+                                            [](auto const& entry, ObjectId id) { return entry.first < id; });
         if (object.valid() && hinge != turning.end() && hinge->first == body) {
             axles.emplace_back(object, hinge->second);
         }
@@ -111,8 +110,9 @@ Facts FactsReader::of(ObjectId id) const {
     Facts facts = gather([&]<class P>() { return columns_.find<P>(id); });
     facts.id = id;
     facts.on = state_ != nullptr && state_->isOn(id);
-    auto const axle = std::lower_bound(axles_.begin(), axles_.end(), id,
-                                       [](auto const& entry, ObjectId object) { return entry.first < object; });
+    auto const axle =
+        std::lower_bound(axles_.begin(), axles_.end(), id,
+                         [](auto const& entry, ObjectId object) { return entry.first < object; });
     facts.axle = axle != axles_.end() && axle->first == id ? axle->second : nullptr;
     return facts;
 }

@@ -41,8 +41,8 @@ struct Facts {
     MadeOf const* madeOf = nullptr;
     Look const* look = nullptr;
     Drawing const* drawing = nullptr;
-    Vec2 const* axle = nullptr; ///< where the body turns about the world that this is welded to; m
-    LookForm form = LookForm::own;            ///< as stated
+    Vec2 const* axle = nullptr;    ///< where the body turns about the world that this is welded to; m
+    LookForm form = LookForm::own; ///< as stated
     Substance substance = Substance::plastic; ///< as stated, else guessed
 
     /// It is shown by a symbol alone: it conducts but has no body.

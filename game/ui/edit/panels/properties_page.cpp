@@ -59,7 +59,8 @@ void drawNameAndPart(EditParts& parts) {
 void drawPieceChoice(EditParts& parts, std::vector<edit::InspectedPiece> const& pieces) {
     std::string chosen = parts.selection.piece();
     auto const known = [&](std::string const& name) {
-        return std::find_if(pieces.begin(), pieces.end(), [&](auto const& piece) { return piece.name == name; });
+        return std::find_if(pieces.begin(), pieces.end(),
+                            [&](auto const& piece) { return piece.name == name; });
     };
     if (!chosen.empty() && known(chosen) == pieces.end()) { // undone, or of another part now
         parts.selection.choosePiece("");
@@ -85,7 +86,8 @@ void drawPieceChoice(EditParts& parts, std::vector<edit::InspectedPiece> const& 
     if (!chosen.empty() && known(chosen)->stated &&
         smallButton(parts, words::resetPiece, "reset piece", words::resetPieceTip)) {
         runWidget(
-            parts, [&](Json const& level) { return edit::resetPiece(level, parts.selected(), chosen); }, false);
+            parts, [&](Json const& level) { return edit::resetPiece(level, parts.selected(), chosen); },
+            false);
     }
 }
 

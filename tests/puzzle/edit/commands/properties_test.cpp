@@ -112,13 +112,14 @@ TEST(PieceCommands, GoWithTheObject) {
     EXPECT_NE(document.tree()["goals"].dump().find("door striker"), std::string::npos);
     EXPECT_EQ(document.tree()["goals"].dump().find("front"), std::string::npos);
     // What properties of pieces refer to is renamed, too.
-    document.run({"Test", [](Json& tree) {
-                      for (Json& object : tree["objects"]) {
-                          if (object["name"] == "door") {
-                              object["pieces"]["striker"]["electric_motor"] = {{"torque", 1}, {"against", "right"}};
-                          }
-                      }
-                  }});
+    document.run(
+        {"Test", [](Json& tree) {
+             for (Json& object : tree["objects"]) {
+                 if (object["name"] == "door") {
+                     object["pieces"]["striker"]["electric_motor"] = {{"torque", 1}, {"against", "right"}};
+                 }
+             }
+         }});
     document.run(renameObject(editData(), document.tree(), "right", "east"));
     EXPECT_EQ(entryOf(document, "door")["pieces"]["striker"]["electric_motor"]["against"], "east");
     document.run(duplicateObjects(editData(), document.tree(), {"door"}, {1, 0}));
@@ -147,8 +148,10 @@ TEST(PieceCommands, AreInspected) {
     pieces = inspectPieces(editData(), document.tree(), {"front"});
     EXPECT_EQ(std::count_if(pieces.begin(), pieces.end(), [](auto const& one) { return one.stated; }), 1);
     auto const addable = addableProperties(editData(), document.tree(), {"front"}, "striker");
-    EXPECT_TRUE(std::none_of(addable.begin(), addable.end(), [](auto const& one) { return one.key == "density"; }));
-    EXPECT_TRUE(std::any_of(addable.begin(), addable.end(), [](auto const& one) { return one.key == "magnet"; }));
+    EXPECT_TRUE(
+        std::none_of(addable.begin(), addable.end(), [](auto const& one) { return one.key == "density"; }));
+    EXPECT_TRUE(
+        std::any_of(addable.begin(), addable.end(), [](auto const& one) { return one.key == "magnet"; }));
 }
 
 TEST(PieceCommands, OfAnotherPartAreAProblemThatLeadsToThem) {
@@ -164,8 +167,9 @@ TEST(PieceCommands, OfAnotherPartAreAProblemThatLeadsToThem) {
     EXPECT_EQ(found->name, "front");
     EXPECT_EQ(found->piece, "striker");
     auto const pieces = inspectPieces(editData(), document.tree(), {"front"});
-    EXPECT_TRUE(std::any_of(pieces.begin(), pieces.end(), [](auto const& one) { return one.name == "striker"; }))
-        << "so that it can be reset";
+    EXPECT_TRUE(std::any_of(pieces.begin(), pieces.end(), [](auto const& one) {
+        return one.name == "striker";
+    })) << "so that it can be reset";
     document.run(resetPiece(document.tree(), {"front"}, "striker"));
     problems.refresh(document);
     EXPECT_TRUE(std::none_of(problems.all().begin(), problems.all().end(),

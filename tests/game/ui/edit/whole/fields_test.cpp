@@ -1,5 +1,5 @@
-// Fields of the editor's panel for what a level file may leave out: the second object of a joint, corners of an
-// area, entries of lists, mods that are not there.
+// Fields of the editor's panel for what a level file may leave out: the second object of a joint, corners of
+// an area, entries of lists, mods that are not there.
 #include "puzzle/edit/commands/objects.hpp"
 #include "tests/game/ui/edit/editor_kit.hpp"
 
@@ -65,7 +65,9 @@ TEST(EditorFields, AnEmptyListIsBegun) {
     designer.seek("add drawing/shapes");
     designer.clickItem("add drawing/shapes");
     designer.frames(2);
-    auto const shapesOf = [&] { return (*edit::findObject(designer.tree(), "post"))["properties"]["drawing"]["shapes"]; };
+    auto const shapesOf = [&] {
+        return (*edit::findObject(designer.tree(), "post"))["properties"]["drawing"]["shapes"];
+    };
     EXPECT_EQ(shapesOf().size(), 1U);
     designer.look("edit-list");
     designer.ctrl(SDLK_z);

@@ -60,7 +60,8 @@ TEST(InspectorWhy, NeedsARun) {
 }
 
 TEST(InspectorWhy, FitsInEveryWindowInGerman) {
-    for (render::Size const size : {render::Size{800, 600}, render::Size{1280, 720}, render::Size{3840, 2160}}) {
+    for (render::Size const size :
+         {render::Size{800, 600}, render::Size{1280, 720}, render::Size{3840, 2160}}) {
         Player player(size);
         changeSettings(player.app().context(), {.reducedMotion = true, .language = "de"});
         inspectMagnet(player);
