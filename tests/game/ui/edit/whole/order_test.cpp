@@ -126,11 +126,11 @@ TEST(EditorOrder, ByKeyboardTheRingStaysWithWhatIsMoved) {
     designer.key(SDLK_F9);
     designer.frames(3);
     ringTo(designer, "solution 0 down");
-    designer.key(SDLK_RETURN);
+    designer.key(SDLK_SPACE);
     designer.frames(3);
     EXPECT_EQ(solutionsOf(designer), "two, one, three, ");
     EXPECT_TRUE(ringIsOn(designer, "solution 1 down"));
-    designer.key(SDLK_RETURN);
+    designer.key(SDLK_SPACE);
     designer.frames(3);
     EXPECT_EQ(solutionsOf(designer), "two, three, one, ");
     designer.key(SDLK_ESCAPE);
@@ -139,7 +139,7 @@ TEST(EditorOrder, ByKeyboardTheRingStaysWithWhatIsMoved) {
     designer.key(SDLK_F9);
     designer.frames(3);
     ringTo(designer, "tool 0 down");
-    designer.key(SDLK_RETURN);
+    designer.key(SDLK_SPACE);
     designer.frames(3);
     EXPECT_EQ(toolsOf(designer), "wire, plank, steel ball, ");
 }

@@ -67,13 +67,13 @@ TEST(EditorPieces, AreChosenInTheInspectorOfSeveralObjects) {
     designer.clickItem("piece");
     designer.frames(2);
     EXPECT_FALSE(designer.shows("piece = backboard")) << "the whole has its properties";
-    designer.clickItem("piece = bell");
+    designer.clickItem("piece = contact");
     designer.frames(2);
-    ASSERT_EQ(designer.parts().selection.piece(), "bell");
-    designer.seek("mass");
-    designer.drag(designer.item("mass"), designer.item("mass") + Point{40, 0});
+    ASSERT_EQ(designer.parts().selection.piece(), "contact");
+    designer.seek("friction");
+    designer.drag(designer.item("friction"), designer.item("friction") + Point{40, 0});
     for (char const* const name : {"front bell", "back bell"}) {
-        EXPECT_GT(entryOf(designer, name)["pieces"]["bell"]["mass"].get<double>(), 20) << name;
+        EXPECT_GT(entryOf(designer, name)["pieces"]["contact"]["friction"].get<double>(), 0.5) << name;
     }
     designer.seek("reset piece");
     designer.look("edit-piece-several");
