@@ -111,8 +111,8 @@ inline char const* const& partFieldTip =
     editWord("The part that it is made from; its own properties take precedence");
 inline char const* const& pieceField = editWord("Piece");
 inline char const* const& pieceFieldTip = editWord(
-    "One piece of a part that consists of several; –: the whole, with the properties of its main piece");
-inline char const* const& changedMark = editWord("  (changed)");
+    "One piece of a part that consists of several; *: it is changed here; –: the whole, with the properties "
+    "of its main piece");
 inline char const* const& resetPiece = editWord("Reset this piece");
 inline char const* const& resetPieceTip = editWord("Everything about it as the part states it");
 inline char const* const& mirroredTip =

@@ -77,7 +77,7 @@ void drawPieceChoice(EditParts& parts, std::vector<edit::InspectedPiece> const& 
     }
     auto const inWords = [&](std::string const& name) {
         auto const piece = known(name);
-        return name + (piece != pieces.end() && piece->stated ? words::changedMark : "");
+        return name + (piece != pieces.end() && piece->stated ? " *" : "");
     };
     fieldName(words::pieceField, words::pieceFieldTip);
     if (choiceField(parts, "piece", chosen, names, inWords)) {
