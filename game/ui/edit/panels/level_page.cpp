@@ -52,7 +52,7 @@ void drawTexts(EditParts& parts) {
         if (committedText(parts, item, hint, 2)) {
             parts.run([&](Json const& level) { return edit::setHint(level, i, hint); });
         }
-        ImGui::PushID(static_cast<int>(i));
+        ImGui::PushID(item.c_str());
         if (smallButton(parts, words::removeIt, item + " remove")) {
             parts.run([&](Json const& level) { return edit::removeHint(level, i); });
         }

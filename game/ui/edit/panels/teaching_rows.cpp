@@ -128,8 +128,8 @@ StepChange editStep(EditParts& parts, std::string const& kind, std::string const
 }
 
 void drawStep(EditParts& parts, Json const& stated, std::size_t index, std::size_t count) {
-    ImGui::PushID(static_cast<int>(index));
     std::string const item = "step " + std::to_string(index);
+    ImGui::PushID(item.c_str());
     std::string const kind = kindOfStep(stated);
     ImGui::Text("%zu. %s", index + 1, shownStep(kind).c_str());
     Json step = stated;
