@@ -188,7 +188,12 @@ void drawWorld(EditParts& parts) {
 
 void drawMods(EditParts& parts) {
     pageHeading(words::modsHeading);
-    std::vector<std::string> mods = parts.level.mods;
+    std::vector<std::string> mods; // as the file has them: one that is not loaded yet is not read
+    for (Json const& name : listAt(parts.tree(), "mods")) {
+        if (name.is_string()) {
+            mods.push_back(name.get<std::string>());
+        }
+    }
     bool changed = false;
     auto const folders = lua::modFolders({}, parts.document.path(), parts.options.data->home);
     std::vector<std::string> names;
