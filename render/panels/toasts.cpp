@@ -38,7 +38,7 @@ void Toasts::add(std::string text, ToastKind kind, double seconds) {
     toasts_.push_back({std::move(text), kind, std::clamp(seconds, 0.5, 60.0), 0});
 }
 
-void Toasts::draw(double seconds) {
+void Toasts::draw(double seconds, std::optional<Rectangle> kept) {
     auto& list = *ImGui::GetForegroundDrawList();
     ImVec2 const screen = ImGui::GetIO().DisplaySize;
     float y = scaled(18);
@@ -55,7 +55,15 @@ void Toasts::draw(double seconds) {
         float const padding = scaled(13);
         float const width = text.x + mark + 3 * padding;
         float const height = std::max(text.y, mark) + 2 * scaled(10);
-        ImVec2 const low{0.5F * (screen.x - width), y - (1 - shown) * scaled(14)};
+        float const left = 0.5F * (screen.x - width);
+        float highest = 0; // where it may begin while it comes down
+        if (kept && left < static_cast<float>(kept->second.x) &&
+            left + width > static_cast<float>(kept->first.x) && y < static_cast<float>(kept->second.y) &&
+            y + height > static_cast<float>(kept->first.y)) {
+            highest = static_cast<float>(kept->second.y) + scaled(4);
+            y = static_cast<float>(kept->second.y) + scaled(10);
+        }
+        ImVec2 const low{left, std::max(y - (1 - shown) * scaled(14), highest)};
         ImVec2 const high{low.x + width, low.y + height};
         float const rounding = scaled(10);
         list.AddRectFilled({low.x, low.y + scaled(4)}, {high.x, high.y + scaled(4)},

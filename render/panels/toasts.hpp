@@ -1,9 +1,13 @@
 // Short messages that come up at the edge of the window and go by themselves.
 #pragma once
 
+#include "render/draw/geometry.hpp"
+
 #include <cstdint>
 #include <deque>
+#include <optional>
 #include <string>
+#include <utility>
 
 namespace trembler::render {
 
@@ -16,8 +20,11 @@ public:
     /// are five.
     void add(std::string text, ToastKind kind = ToastKind::News, double seconds = 4);
 
+    /// Corners of a rectangle of the window, pixels from the top left.
+    using Rectangle = std::pair<Point, Point>;
     /// Draws them at the top of the window and lets `seconds` pass; between Gui::beginFrame and endFrame.
-    void draw(double seconds);
+    /// Those that would lie on `kept` come below it.
+    void draw(double seconds, std::optional<Rectangle> kept = {});
 
     [[nodiscard]] std::size_t count() const { return toasts_.size(); }
     /// How many of trouble there have been.

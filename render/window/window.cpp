@@ -186,16 +186,19 @@ void Window::setFullscreen(bool on) {
     if (offscreen_) {
         return;
     }
-    // A window that was maximised comes back as that: SDL only knows the size from before.
-    constexpr char const* maximised = "maximised before";
-    Uint32 const flags = SDL_GetWindowFlags(window_.get());
-    bool const before = (flags & SDL_WINDOW_FULLSCREEN_DESKTOP) == SDL_WINDOW_FULLSCREEN_DESKTOP;
-    if (on && !before) {
-        bool const large = (flags & SDL_WINDOW_MAXIMIZED) != 0;
-        SDL_SetWindowData(window_.get(), maximised, large ? window_.get() : nullptr);
-    }
+    maximising_.switches(on, state());
     SDL_SetWindowFullscreen(window_.get(), on ? Uint32{SDL_WINDOW_FULLSCREEN_DESKTOP} : Uint32{0});
-    if (!on && before && SDL_GetWindowData(window_.get(), maximised) != nullptr) {
+    followMaximising();
+}
+
+WindowState Window::state() const {
+    Uint32 const flags = SDL_GetWindowFlags(window_.get());
+    return {(flags & SDL_WINDOW_FULLSCREEN_DESKTOP) == SDL_WINDOW_FULLSCREEN_DESKTOP,
+            (flags & SDL_WINDOW_MAXIMIZED) != 0};
+}
+
+void Window::followMaximising() {
+    if (maximising_.due(state())) {
         SDL_MaximizeWindow(window_.get());
     }
 }
@@ -221,6 +224,7 @@ void Window::present() {
         glFinish();
     } else {
         SDL_GL_SwapWindow(window_.get());
+        followMaximising();
     }
 }
 

@@ -4,6 +4,7 @@
 #include "render/draw/colour.hpp"
 #include "render/gl/framebuffer.hpp"
 #include "render/gl/image.hpp"
+#include "render/window/maximising.hpp"
 
 #include <memory>
 #include <optional>
@@ -69,7 +70,7 @@ public:
     /// Changes the size (points when visible, pixels offscreen). Throws RenderError if offscreen cannot be
     /// that large.
     void resize(Size size);
-    /// Whole screen at the desktop's own resolution, or back. Nothing happens offscreen.
+    /// Whole screen at the desktop's own resolution, or back, maximised if it was. Nothing happens offscreen.
     void setFullscreen(bool on);
 
     /// Directs drawing here and clears it. Call it first in every frame, and again after drawing into a
@@ -106,12 +107,15 @@ private:
     void openWindow(WindowOptions const& options);
     void openContext();
     void makeCurrent();
+    [[nodiscard]] WindowState state() const;
+    void followMaximising();
 
     WindowMode mode_;
     float uiScaleRequest_;
     std::string videoDriver_;
     std::string renderer_;
     bool software_ = false;
+    Maximising maximising_;
     Video video_;
     std::unique_ptr<SDL_Window, void (*)(SDL_Window*)> window_;
     std::unique_ptr<void, void (*)(void*)> context_;

@@ -12,6 +12,7 @@
 #include "runtime/level/json/diagnostic.hpp"
 
 #include <exception>
+#include <optional>
 #include <system_error>
 #include <utility>
 
@@ -219,7 +220,11 @@ bool GameApp::frame(double seconds, bool seen) {
         context_.window.beginFrame(render::palette::paper);
         screen_->draw();
     }
-    context_.toasts.draw(seconds); // seen or not, they grow older
+    std::optional<render::Toasts::Rectangle> kept; // nothing hides that the level is solved
+    if (auto const success = context_.layout.card("success"); success && !menu_.isOpen()) {
+        kept.emplace(success->low, success->high);
+    }
+    context_.toasts.draw(seconds, kept); // seen or not, they grow older
     if (drawn) {
         if (screen_->keepsPicture()) {
             context_.gui.endFrame([this] { screen_->pictureComplete(); });

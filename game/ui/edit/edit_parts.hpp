@@ -55,7 +55,9 @@ struct AboutSelection {
 struct InspectedSelection {
     std::uint64_t revision = 0;
     std::vector<std::string> names;
+    std::string piece;
     std::vector<edit::InspectedProperty> properties;
+    std::vector<edit::InspectedPiece> pieces; ///< that could be selected
     bool known = false;
 };
 

@@ -109,6 +109,14 @@ inline char const* const& nameField = editWord("Name");
 inline char const* const& partField = editWord("Part");
 inline char const* const& partFieldTip =
     editWord("The part that it is made from; its own properties take precedence");
+inline char const* const& pieceField = editWord("Piece");
+inline char const* const& pieceFieldTip = editWord(
+    "One piece of a part that consists of several; *: it is changed here; –: the whole, with the properties "
+    "of its main piece");
+inline char const* const& resetPiece = editWord("Reset this piece");
+inline char const* const& resetPieceTip = editWord("Everything about it as the part states it");
+inline char const* const& mirroredTip =
+    editWord("Left and right swapped, about its own vertical axis, before it is turned");
 inline char const* const& severalObjectsText = editWord("{} objects");
 [[nodiscard]] inline std::string severalObjects(std::size_t count) {
     return filledIn(severalObjectsText, count);
@@ -124,6 +132,7 @@ inline char const* const& removeShort = editWord("×");
 inline char const* const& removeIt = editWord("Remove");
 inline char const* const& addEntry = editWord("Add one more");
 inline char const* const& upIt = editWord("Move up");
+inline char const* const& downIt = editWord("Move down");
 inline char const* const& fromPart = editWord("As the part states it");
 inline char const* const& takenAway = editWord("Taken away, though the part has it");
 inline char const* const& scriptsHeading = editWord("Scripts");
@@ -200,6 +209,9 @@ inline char const* const& modsTip = editWord("Mods count once the level is saved
 inline char const* const& noSolutions =
     editWord("No run is recorded yet. Test the level, solve it, and record it.");
 inline char const* const& solvesLevel = editWord("must solve the level");
+inline char const* const& framesField = editWord("Frames");
+inline char const* const& framesTip =
+    editWord("How long it is run, in sixtieths of a second; 0: as long as it takes");
 inline char const* const& watch = editWord("Watch");
 inline char const* const& watchTip = editWord("Play this run");
 inline char const* const& again = editWord("Re-record");

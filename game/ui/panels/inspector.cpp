@@ -1,9 +1,12 @@
 #include "game/ui/panels/inspector.hpp"
 
+#include "game/ui/shared/texts.hpp"
 #include "game/ui/shared/words.hpp"
 #include "render/draw/palette.hpp"
 #include "render/panels/buttons.hpp"
 #include "render/panels/theme.hpp"
+
+#include <algorithm>
 
 namespace trembler::ui {
 namespace {
@@ -61,6 +64,21 @@ void drawSection(InspectorSection const& section, bool first) {
     ImGui::PopStyleVar();
 }
 
+/// As the goals have it at the ends of their lines.
+bool whyButton(Layout& layout, char const* tip) {
+    ImGui::PushFont(theme().fonts.small);
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(scaled(9), scaled(2)));
+    bool const asked = ImGui::Button(text("Why?"));
+    ImGui::PopStyleVar();
+    ImGui::PopFont();
+    layout.item("why object");
+    if (ImGui::IsItemHovered()) {
+        ImGui::SetTooltip("%s", tip);
+    }
+    ImGui::Dummy({0, scaled(1)});
+    return asked;
+}
+
 } // namespace
 
 void Inspector::show(Session const& session, ObjectId object) {
@@ -75,10 +93,11 @@ ObjectId Inspector::object(Session const& session) const {
     return subject_ ? session.find(*subject_) : ObjectId{};
 }
 
-void Inspector::draw(Layout& layout, Session const& session, float top, float height, World const* past) {
+bool Inspector::draw(Layout& layout, Session const& session, float top, float height, World const* past,
+                     char const* whyTip) {
     shown_.clear();
     if (!open()) {
-        return;
+        return false;
     }
     ObjectId const subject = object(session);
     if (subject.valid()) {
@@ -99,6 +118,7 @@ void Inspector::draw(Layout& layout, Session const& session, float top, float he
     bool const wanted = !iconButton("close", Icon::Cross, words::closeTip);
     layout.item("close inspector");
     ImGui::SetCursorPos({start.x, std::max(after.y, ImGui::GetCursorPos().y)});
+    bool const asked = whyTip != nullptr && !shown_.empty() && whyButton(layout, whyTip);
     if (shown_.empty()) {
         caption(words::objectIsGone);
     } else {
@@ -116,6 +136,7 @@ void Inspector::draw(Layout& layout, Session const& session, float top, float he
     if (!wanted) {
         close();
     }
+    return asked;
 }
 
 } // namespace trembler::ui

@@ -59,8 +59,10 @@ public:
 
     /// Call between Gui::beginFrame and endFrame. `top`, the distance from the window's top, and the maximum
     /// `height` are in pixels at UI scale 1.
-    /// `past` is the world that is shown in place of the session's; nullptr: none.
-    void draw(Layout& layout, Session const& session, float top, float height, World const* past = nullptr);
+    /// `past` is the world that is shown in place of the session's; nullptr: none. `whyTip` is the tip of the
+    /// button *Why?*; nullptr: there is nothing to ask about. True if the player asks why about the object.
+    [[nodiscard]] bool draw(Layout& layout, Session const& session, float top, float height,
+                            World const* past = nullptr, char const* whyTip = nullptr);
     /// The sections drawn last.
     [[nodiscard]] std::vector<InspectorSection> const& shown() const { return shown_; }
 

@@ -245,8 +245,14 @@ std::optional<std::size_t> drawPlayCards(PlayParts& parts, CommandSet const& com
         if (auto const wanted = parts.why.draw(layout, cornerRow, height)) {
             parts.lookAt(*wanted);
         }
-        parts.inspector.draw(layout, session, cornerRow, height,
-                             parts.timeline.looksBack() ? &parts.shownWorld() : nullptr);
+        bool const mayAsk = !parts.run.building() && parts.why.canAsk();
+        std::string const whyTip = withKey(words::whyObjectTip, "why", context.keys);
+        if (parts.inspector.draw(layout, session, cornerRow, height,
+                                 parts.timeline.looksBack() ? &parts.shownWorld() : nullptr,
+                                 mayAsk ? whyTip.c_str() : nullptr)) {
+            parts.why.askObject(parts.inspector.name(), parts.timeline.frame());
+            parts.inspector.close(); // the answer comes in its place
+        }
     }
     if (beside.panels) {
         drawPanels(parts, screen, bottom, beside);

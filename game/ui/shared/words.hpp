@@ -102,6 +102,7 @@ inline char const* const& soundsMeaning = said("sound level at a distance of 1 m
 inline char const* const& hears = said("hears");
 inline char const* const& hearsMeaning = said("sound level at its position");
 inline char const* const& silence = said("silence");
+inline char const* const& whyObjectTip = said("Ask what made it as it is");
 inline char const* const& objectIsGone = said("It is not in the world at the moment.");
 inline char const* const& yes = said("yes");
 inline char const* const& no = said("no");

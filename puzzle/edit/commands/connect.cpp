@@ -19,8 +19,22 @@ bool statesTwoEnds(std::string_view form) {
     return std::find(formsWithTwoEnds.begin(), formsWithTwoEnds.end(), form) != formsWithTwoEnds.end();
 }
 
+/// Whether a name is that of something inside an object that is made from a part: "door coil".
+bool isInsideAnObject(Json const& level, std::string const& name) {
+    Json const* const list = findList(level, "objects");
+    return list != nullptr && std::any_of(list->begin(), list->end(), [&](Json const& entry) {
+               std::string const object = textOf(entry, "name");
+               return !object.empty() && !textOf(entry, "part").empty() && name.starts_with(object + " ");
+           });
+}
+
+/// Pieces of composite parts may be ends; whether a part has them is a question for the list of problems.
 void mustBeEnds(Json const& level, std::string const& a, std::string const& b) {
-    mustHaveObjects(level, {a, b});
+    for (std::string const& name : {a, b}) {
+        if (!isInsideAnObject(level, name)) {
+            mustHaveObjects(level, {name});
+        }
+    }
     if (a == b) {
         throw CommandError(fmt::format("'{}' cannot be connected with itself", a));
     }
@@ -89,7 +103,9 @@ std::vector<ConnectionEntry> connectionsOf(Json const& level) {
 
 Command addJoint(GameData const& data, Json const& level, std::string const& form, std::string const& a,
                  std::string const& b, Vec2 at, Vec2 atB) {
-    mustHaveObjects(level, {a});
+    if (!isInsideAnObject(level, a)) {
+        mustHaveObjects(level, {a});
+    }
     if (!b.empty()) {
         mustBeEnds(level, a, b);
     }

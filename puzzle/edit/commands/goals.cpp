@@ -237,13 +237,14 @@ Command setGoalOption(Json const& level, std::string const& place, std::string c
             [=](Json& tree) {
                 Json& there = conditionAt(tree, place, which);
                 std::string const before = textOf(there, "id");
-                if (key == "id" && !before.empty() && value.is_string() && !value.empty()) {
-                    translationsRenamedGoal(tree, before, value.get<std::string>());
-                }
                 if (value.is_null()) {
                     there.erase(key);
                 } else {
                     there[key] = value;
+                }
+                std::string const now = textOf(there, "id");
+                if (!before.empty() && !now.empty() && now != before) {
+                    translationsRenamedGoal(tree, before, now);
                 }
             }};
 }

@@ -1,6 +1,7 @@
 #include "puzzle/edit/commands/objects.hpp"
 
 #include "puzzle/edit/commands/editor_state.hpp"
+#include "puzzle/edit/tree/part_statements.hpp"
 #include "puzzle/edit/tree/references.hpp"
 #include "puzzle/edit/tree/subset.hpp"
 #include "puzzle/edit/tree/tree_access.hpp"
@@ -143,8 +144,13 @@ Command renameObject(GameData const& data, Json const& level, std::string const&
     }
     return {fmt::format("Rename {} to {}", name, to),
             [&data, name, to](Json& tree) {
-                objectEntry(tree, name)["name"] = to;
-                NewNames const names{{name, to}};
+                Json& entry = objectEntry(tree, name);
+                NewNames names{{name, to}};
+                PartStatements parts(data);
+                for (std::string const& inside : parts.namesInside(textOf(entry, "part"))) {
+                    names[name + " " + inside] = to + " " + inside;
+                }
+                entry["name"] = to;
                 renameInEntries(data, tree, names);
                 renameElsewhere(tree, names);
             },
@@ -180,6 +186,23 @@ Command setPart(Json const& level, std::vector<std::string> const& names, std::s
                         entry.erase("part");
                     } else {
                         setObjectMember(entry, "part", part);
+                    }
+                }
+            },
+            names};
+}
+
+Command setFlipped(Json const& level, std::vector<std::string> const& names, bool flipped) {
+    mustHaveObjects(level, names);
+    std::string const words = objectsInWords(names);
+    return {flipped ? fmt::format("Flip {}", words) : fmt::format("Flip {} back", words),
+            [names, flipped](Json& tree) {
+                for (std::string const& name : names) {
+                    Json& entry = objectEntry(tree, name);
+                    if (flipped) {
+                        setObjectMember(entry, "flipped", true);
+                    } else {
+                        entry.erase("flipped");
                     }
                 }
             },

@@ -39,8 +39,9 @@ struct NewObject {
 /// are a group.
 [[nodiscard]] Command duplicateObjects(GameData const& data, Json const& level,
                                        std::vector<std::string> const& names, Vec2 offset);
-/// Renames an object, and every reference to it: in joints, connections, properties, goals, the inputs of
-/// recorded solutions, and groups. Throws CommandError if the name is no valid one, or is taken.
+/// Renames an object, and every reference to it or to a piece of it: in joints, connections, properties,
+/// goals, the inputs of recorded solutions, and groups. Throws CommandError if the name is no valid one, or
+/// is taken.
 [[nodiscard]] Command renameObject(GameData const& data, Json const& level, std::string const& name,
                                    std::string const& to);
 /// The same for the joint with that index in "joints", which may have had no name.
@@ -49,6 +50,8 @@ struct NewObject {
 /// Makes objects from another part, or from none (empty). What they state themselves stays.
 [[nodiscard]] Command setPart(Json const& level, std::vector<std::string> const& names,
                               std::string const& part);
+/// Whether objects are mirrored about their own vertical axes, before they are turned.
+[[nodiscard]] Command setFlipped(Json const& level, std::vector<std::string> const& names, bool flipped);
 /// Moves an object's entry to another place in the file. The order of entries means nothing to the world.
 [[nodiscard]] Command reorderObject(Json const& level, std::string const& name, std::size_t to);
 

@@ -1,17 +1,14 @@
 #include "puzzle/edit/commands/properties.hpp"
 
+#include "puzzle/edit/commands/objects.hpp"
 #include "puzzle/edit/tree/object_values.hpp"
+#include "puzzle/edit/tree/stated_value.hpp"
 #include "puzzle/edit/tree/tree_access.hpp"
 #include "runtime/level/model/detail_levels.hpp"
-#include "runtime/level/property/field_outline.hpp"
-#include "runtime/level/property/property_reader.hpp"
-#include "runtime/level/property/property_writer.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 
 namespace trembler::edit {
 namespace {
@@ -19,131 +16,58 @@ namespace {
 using Names = std::vector<std::string>;
 using Pointer = Json::json_pointer;
 
-/// The text that a property begins with: its initial values, and required fields that any reader accepts.
-Json initialStatement(PropertyInfo const& info) {
-    auto const value = info.makeValue();
-    auto const fields = outlineOf(*value);
-    if (info.text.key == "shape") { // a list of pieces must not be empty
-        return Json::array({Json{{"form", "box"}}});
+/// Whose property it is, in words: of objects, or of a piece of each of them.
+std::string ownersInWords(Names const& names, std::string const& piece) {
+    return piece.empty() ? objectsInWords(names)
+                         : fmt::format("piece '{}' of {}", piece, objectsInWords(names));
+}
+
+void mustBeForObjects(PropertyInfo const& info, std::string const& piece) {
+    bool const ofPiece = piece.empty() || info.text.place == PropertyPlace::properties;
+    if (info.text.place == PropertyPlace::world || info.text.key == "name" || !ofPiece) {
+        throw CommandError(fmt::format("'{}' is no property to be set for objects", info.text.key));
     }
-    if (fields.empty()) {
-        return true;
-    }
-    if (isBare(fields) && fields.front().type == FieldType::boolean) {
-        return true;
-    }
-    Json written = writeProperty(*value);
-    NameTable names;
-    if (readValue(info, written, names)) {
-        return written;
-    }
-    // A required number whose initial value is out of range: the nearest round one within.
-    auto const within = [](FieldInfo const& field) {
-        double const least = isAngle(field.unit) ? degrees(field.minimum) : field.minimum;
-        return numberJson(field.minimumExcluded || least <= 0 ? std::max(1.0, least) : least);
-    };
-    for (FieldOutline const& field : fields) {
-        if (!isNumber(field)) {
-            continue;
-        }
-        if (isBare(fields)) {
-            written = within(field.info);
-        } else if (field.info.required) {
-            if (!written.is_object()) {
-                written = Json::object();
-            }
-            written[std::string(field.info.key)] = within(field.info);
+}
+
+bool statesPiece(Json const& entry, std::string const& piece) {
+    auto const pieces = entry.is_object() ? entry.find("pieces") : entry.end();
+    return pieces != entry.end() && pieces->is_object() && pieces->contains(piece);
+}
+
+void mustHavePiece(GameData const& data, Json const& level, Names const& names, std::string const& piece) {
+    PartStatements parts(data);
+    for (std::string const& name : piece.empty() ? Names() : names) {
+        Json const& entry = *findObject(level, name);
+        if (parts.pieceNamed(textOf(entry, "part"), piece).empty() && !statesPiece(entry, piece)) {
+            throw CommandError(fmt::format("'{}' has no piece '{}'", name, piece));
         }
     }
-    return written;
 }
 
-/// The token of a list's entry; nothing for anything else.
-std::optional<std::size_t> indexIn(std::string const& token) {
-    bool const digits = !token.empty() && token.size() < 9 &&
-                        std::all_of(token.begin(), token.end(), [](char c) { return c >= '0' && c <= '9'; });
-    return digits ? std::optional<std::size_t>(std::stoul(token)) : std::nullopt;
-}
-
-/// Sets what is at a place of a value, making objects that are missing on the way; null removes a member.
-void setAt(Json& value, std::string const& field, Json const& to) {
-    if (field.empty()) {
-        value = to;
-        return;
-    }
-    Pointer const whole = [&] {
-        try {
-            return Pointer(field);
-        } catch (Json::exception const&) {
-            throw CommandError(fmt::format("'{}' is no place in a property", field));
-        }
-    }();
-    Json* node = &value;
-    std::vector<std::string> tokens;
-    for (Pointer rest = whole; !rest.empty(); rest = rest.parent_pointer()) {
-        tokens.insert(tokens.begin(), rest.back());
-    }
-    for (std::size_t i = 0; i < tokens.size(); ++i) {
-        bool const last = i + 1 == tokens.size();
-        if (node->is_array()) {
-            auto const index = indexIn(tokens[i]);
-            if (!index || *index >= node->size()) {
-                throw CommandError(fmt::format("there is no entry '{}'", tokens[i]));
-            }
-            node = &(*node)[*index];
-        } else {
-            if (!node->is_object()) { // `true` stands for initial values
-                *node = Json::object();
-            }
-            if (last && to.is_null()) {
-                node->erase(tokens[i]);
-                return;
-            }
-            node = &(*node)[tokens[i]];
-        }
-    }
-    *node = to;
-}
-
-/// Throws CommandError, in the reader's words, for a value that files may not state.
-void mustBeReadable(PropertyInfo const& info, Json const& value) {
-    NameTable names;
-    std::string why;
-    if (!readValue(info, value, names, &why)) {
-        throw CommandError(fmt::format("{}: {}", info.text.name, why));
-    }
-}
-
-std::string propertyInWords(PropertyInfo const& info) {
-    std::string words(info.text.name);
-    if (words.size() > 1 && words[1] >= 'a' && words[1] <= 'z' && words[0] >= 'A' && words[0] <= 'Z') {
-        words[0] = static_cast<char>(words[0] - 'A' + 'a');
-    }
-    return words;
-}
-
-/// Changes what each object has of a property. `change` gets null if it does not have it.
+/// Changes what each object, or a piece of each, has of a property. `change` gets null if it does not have
+/// it.
 template <class Change>
 Command changeProperty(GameData const& data, Json const& level, Names const& names,
-                       std::string const& property, char const* what, Change change) {
+                       std::string const& property, std::string const& piece, char const* what,
+                       Change change) {
     mustHaveObjects(level, names);
     PropertyInfo const& info = propertyNamed(data, property);
-    if (info.text.place == PropertyPlace::world || info.text.key == "name") {
-        throw CommandError(fmt::format("'{}' is no property to be set for objects", property));
-    }
-    return {fmt::format(fmt::runtime(what), propertyInWords(info), objectsInWords(names)),
-            [&data, &info, names, change](Json& tree) {
+    mustBeForObjects(info, piece);
+    mustHavePiece(data, level, names, piece);
+    return {fmt::format(fmt::runtime(what), propertyInWords(info), ownersInWords(names, piece)),
+            [&data, &info, names, piece, change](Json& tree) {
                 ObjectEntries const entries(tree);
+                PartStatements parts(data);
                 for (std::string const& name : names) {
                     Json& entry = entries.of(name);
-                    Json const before = effectiveStatement(data, entry, info);
+                    Json const before = effectiveStatement(parts, entry, info, piece);
                     Json after = before;
                     change(after);
                     if (after == before && !before.is_null()) {
                         continue;
                     }
                     mustBeReadable(info, after);
-                    setStatement(entry, info, std::move(after));
+                    setStatement(entry, info, std::move(after), piece);
                 }
             },
             names};
@@ -156,9 +80,9 @@ PropertyInfo const& jointInfo(GameData const& data) {
 } // namespace
 
 Command setField(GameData const& data, Json const& level, Names const& names, std::string const& property,
-                 std::string const& field, Json const& value) {
+                 std::string const& field, Json const& value, std::string const& piece) {
     PropertyInfo const& info = propertyNamed(data, property);
-    return changeProperty(data, level, names, property, "Change {} of {}",
+    return changeProperty(data, level, names, property, piece, "Change {} of {}",
                           [&info, field, value](Json& stated) {
                               if (stated.is_null()) {
                                   stated = initialStatement(info);
@@ -167,10 +91,10 @@ Command setField(GameData const& data, Json const& level, Names const& names, st
                           });
 }
 
-Command addProperty(GameData const& data, Json const& level, Names const& names,
-                    std::string const& property) {
+Command addProperty(GameData const& data, Json const& level, Names const& names, std::string const& property,
+                    std::string const& piece) {
     PropertyInfo const& info = propertyNamed(data, property);
-    return changeProperty(data, level, names, property, "Add {} of {}", [&info](Json& stated) {
+    return changeProperty(data, level, names, property, piece, "Add {} of {}", [&info](Json& stated) {
         if (stated.is_null()) {
             stated = initialStatement(info);
         }
@@ -178,63 +102,92 @@ Command addProperty(GameData const& data, Json const& level, Names const& names,
 }
 
 Command resetProperty(GameData const& data, Json const& level, Names const& names,
-                      std::string const& property) {
+                      std::string const& property, std::string const& piece) {
     mustHaveObjects(level, names);
     PropertyInfo const& info = propertyNamed(data, property);
     if (info.text.key == "name") {
         throw CommandError("a name cannot be reset");
     }
-    return {fmt::format("Reset {} of {}", propertyInWords(info), objectsInWords(names)),
-            [&info, names](Json& tree) {
+    mustBeForObjects(info, piece);
+    return {fmt::format("Reset {} of {}", propertyInWords(info), ownersInWords(names, piece)),
+            [&info, names, piece](Json& tree) {
                 for (std::string const& name : names) {
-                    setStatement(objectEntry(tree, name), info, {});
+                    setStatement(objectEntry(tree, name), info, {}, piece);
                 }
             },
             names};
 }
 
 Command removeProperty(GameData const& data, Json const& level, Names const& names,
-                       std::string const& property) {
+                       std::string const& property, std::string const& piece) {
     mustHaveObjects(level, names);
     PropertyInfo const& info = propertyNamed(data, property);
     if (info.text.place != PropertyPlace::properties) {
         throw CommandError(fmt::format("'{}' cannot be removed", property));
     }
-    return {fmt::format("Remove {} of {}", propertyInWords(info), objectsInWords(names)),
-            [&data, &info, names](Json& tree) {
+    mustHavePiece(data, level, names, piece);
+    return {fmt::format("Remove {} of {}", propertyInWords(info), ownersInWords(names, piece)),
+            [&data, &info, names, piece](Json& tree) {
+                PartStatements parts(data);
                 for (std::string const& name : names) {
                     Json& entry = objectEntry(tree, name);
-                    bool const hides = !partStatement(data, entry, info).is_null();
-                    setStatement(entry, info, hides ? Json(false) : Json());
+                    setStatement(entry, info, {}, piece);
+                    bool const hides = !effectiveStatement(parts, entry, info, piece).is_null();
+                    if (hides) {
+                        setStatement(entry, info, false, piece);
+                    }
+                }
+            },
+            names};
+}
+
+Command resetPiece(Json const& level, Names const& names, std::string const& piece) {
+    mustHaveObjects(level, names);
+    return {fmt::format("Reset piece '{}' of {}", piece, objectsInWords(names)),
+            [names, piece](Json& tree) {
+                for (std::string const& name : names) {
+                    Json& entry = objectEntry(tree, name);
+                    if (statesPiece(entry, piece)) {
+                        entry["pieces"].erase(piece);
+                        dropIfEmpty(entry, "pieces");
+                    }
                 }
             },
             names};
 }
 
 Command addListEntry(GameData const& data, Json const& level, Names const& names, std::string const& property,
-                     std::string const& list, Json const& entry) {
-    return changeProperty(data, level, names, property, "Change {} of {}", [list, entry](Json& stated) {
-        Json now =
-            list.empty()
-                ? stated
-                : (stated.is_object() && stated.contains(Pointer(list)) ? stated[Pointer(list)] : Json());
-        if (!now.is_array()) {
-            now = Json::array();
-        }
-        now.push_back(entry);
-        setAt(stated, list, now);
-    });
+                     std::string const& list, Json const& entry, std::string const& piece) {
+    PropertyInfo const& info = propertyNamed(data, property);
+    return changeProperty(
+        data, level, names, property, piece, "Change {} of {}", [&info, list, entry](Json& stated) {
+            if (entry.is_null()) {
+                stated = withOneMore(info, stated, list);
+                return;
+            }
+            Json now =
+                list.empty()
+                    ? stated
+                    : (stated.is_object() && stated.contains(Pointer(list)) ? stated[Pointer(list)] : Json());
+            if (!now.is_array()) {
+                now = Json::array();
+            }
+            now.push_back(entry);
+            setAt(stated, list, now);
+        });
 }
 
 Command removeListEntry(GameData const& data, Json const& level, Names const& names,
-                        std::string const& property, std::string const& list, std::size_t index) {
-    return changeProperty(data, level, names, property, "Change {} of {}", [list, index](Json& stated) {
-        Pointer const place(list);
-        if (!stated.contains(place) || !stated[place].is_array() || index >= stated[place].size()) {
-            throw CommandError("there is no such entry");
-        }
-        stated[place].erase(index);
-    });
+                        std::string const& property, std::string const& list, std::size_t index,
+                        std::string const& piece) {
+    return changeProperty(
+        data, level, names, property, piece, "Change {} of {}", [list, index](Json& stated) {
+            Pointer const place(list);
+            if (!stated.contains(place) || !stated[place].is_array() || index >= stated[place].size()) {
+                throw CommandError("there is no such entry");
+            }
+            stated[place].erase(index);
+        });
 }
 
 Command setWorldField(GameData const& data, Json const& level, std::string const& property,

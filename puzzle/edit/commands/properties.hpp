@@ -16,27 +16,41 @@ namespace trembler::edit {
 // as "mass" or "at"; properties of placement are included. `field` is the place inside the property as a JSON
 // pointer (RFC 6901): "" for the whole property (and for a bare one, such as a mass), "/colour", "/0/width".
 
+// With `piece`, these are about the piece of that name of each of the objects, which are made from composite
+// parts: files state that under "pieces". A piece has no properties of placement. One that an object neither
+// has nor states anything about is refused.
+
 /// Sets one field, of one object or of many. An object that has the property only from its part gets a copy
 /// of the part's with that field changed; one that does not have it gets it, with initial values elsewhere.
 [[nodiscard]] Command setField(GameData const& data, Json const& level, std::vector<std::string> const& names,
-                               std::string const& property, std::string const& field, Json const& value);
+                               std::string const& property, std::string const& field, Json const& value,
+                               std::string const& piece = {});
 /// Adds a property with its initial values, where it is missing. Required fields get the smallest valid
 /// value.
 [[nodiscard]] Command addProperty(GameData const& data, Json const& level,
-                                  std::vector<std::string> const& names, std::string const& property);
+                                  std::vector<std::string> const& names, std::string const& property,
+                                  std::string const& piece = {});
 /// Removes what the objects themselves state, so that the part's value is back.
 [[nodiscard]] Command resetProperty(GameData const& data, Json const& level,
-                                    std::vector<std::string> const& names, std::string const& property);
+                                    std::vector<std::string> const& names, std::string const& property,
+                                    std::string const& piece = {});
 /// Takes the property away, also if the part states it (then as `false`).
 [[nodiscard]] Command removeProperty(GameData const& data, Json const& level,
-                                     std::vector<std::string> const& names, std::string const& property);
+                                     std::vector<std::string> const& names, std::string const& property,
+                                     std::string const& piece = {});
+/// Removes all that the objects state about a piece, so that it is as in their part; also about one that the
+/// part does not have.
+[[nodiscard]] Command resetPiece(Json const& level, std::vector<std::string> const& names,
+                                 std::string const& piece);
 /// Adds an entry to, or removes one from, a list inside a property: `list` is its place, "" for a bare one.
+/// An entry of null is one with initial values.
 [[nodiscard]] Command addListEntry(GameData const& data, Json const& level,
                                    std::vector<std::string> const& names, std::string const& property,
-                                   std::string const& list, Json const& entry);
+                                   std::string const& list, Json const& entry, std::string const& piece = {});
 [[nodiscard]] Command removeListEntry(GameData const& data, Json const& level,
                                       std::vector<std::string> const& names, std::string const& property,
-                                      std::string const& list, std::size_t index);
+                                      std::string const& list, std::size_t index,
+                                      std::string const& piece = {});
 
 /// Sets a field of a property of the world, such as "gravity".
 [[nodiscard]] Command setWorldField(GameData const& data, Json const& level, std::string const& property,

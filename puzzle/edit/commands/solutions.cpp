@@ -1,6 +1,7 @@
 #include "puzzle/edit/commands/solutions.hpp"
 
 #include "puzzle/edit/tree/tree_access.hpp"
+#include "runtime/level/json/limits.hpp"
 #include "runtime/level/write/write_level.hpp"
 
 #include <fmt/format.h>
@@ -9,6 +10,12 @@ namespace trembler::edit {
 namespace {
 
 constexpr char const* solutionsKey = "solutions";
+
+std::vector<std::string> const& solutionOrder() {
+    static std::vector<std::string> const keys{"name",  "expect", "frames", "placements",
+                                               "wires", "inputs", "changes"};
+    return keys;
+}
 
 std::size_t indexOfSolution(Json const& level, std::string const& name) {
     if (Json const* const list = findList(level, solutionsKey)) {
@@ -45,12 +52,10 @@ Command recordAgain(Json const& level, std::string const& name, Solution const& 
     static_cast<void>(indexOfSolution(level, name));
     return {fmt::format("Record solution '{}' again", name),
             [name, made = writeSolution(solution)](Json& tree) {
-                static std::vector<std::string> const order{"name",       "expect", "frames",
-                                                            "placements", "inputs", "changes"};
                 Json& entry = tree[solutionsKey][indexOfSolution(tree, name)];
-                for (char const* const key : {"frames", "placements", "inputs", "changes"}) {
+                for (char const* const key : {"frames", "placements", "wires", "inputs", "changes"}) {
                     if (auto const found = made.find(key); found != made.end()) {
-                        setMember(entry, key, *found, order);
+                        setMember(entry, key, *found, solutionOrder());
                     } else {
                         entry.erase(key);
                     }
@@ -86,6 +91,21 @@ Command expectSolved(Json const& level, std::string const& name, bool solved) {
                     entry.erase("expect");
                 } else {
                     setMember(entry, "expect", "unsolved", {"name", "expect"});
+                }
+            }};
+}
+
+Command setSolutionFrames(Json const& level, std::string const& name, int frames) {
+    static_cast<void>(indexOfSolution(level, name));
+    if (frames < 0 || frames > limits::frames) {
+        throw CommandError(fmt::format("a run has 1 to {} frames", limits::frames));
+    }
+    return {fmt::format("Change length of '{}'", name), [=](Json& tree) {
+                Json& entry = tree[solutionsKey][indexOfSolution(tree, name)];
+                if (frames == 0) {
+                    entry.erase("frames");
+                } else {
+                    setMember(entry, "frames", frames, solutionOrder());
                 }
             }};
 }

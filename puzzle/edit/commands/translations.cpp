@@ -68,6 +68,13 @@ void addGoals(Json const& condition, std::vector<TranslatedText>& all, std::set<
     }
 }
 
+/// Whether a condition, or one inside it, has the id.
+bool hasId(Json const& condition, std::string const& id) {
+    return textOf(condition, "id") == id ||
+           (condition.is_structured() && std::any_of(condition.begin(), condition.end(),
+                                                     [&](Json const& child) { return hasId(child, id); }));
+}
+
 /// Every translation that is an object.
 void forTranslations(Json& level, std::function<void(Json&)> const& change) {
     auto const texts = level.is_object() ? level.find(textsKey) : level.end();
@@ -269,6 +276,7 @@ void translationsMovedHint(Json& level, std::size_t from, std::size_t to) {
 }
 
 void translationsRenamedGoal(Json& level, std::string const& from, std::string const& to) {
+    bool const shared = hasId(memberIn(level, "goals"), from) || hasId(memberIn(level, "task"), from);
     forTranslations(level, [&](Json& translation) {
         auto const goals = translation.find("goals");
         if (goals == translation.end() || !goals->is_object() || !goals->contains(from) ||
@@ -277,7 +285,12 @@ void translationsRenamedGoal(Json& level, std::string const& from, std::string c
         }
         Json renamed = Json::object();
         for (auto const& item : goals->items()) {
-            renamed[item.key() == from ? to : item.key()] = item.value();
+            if (item.key() != from || shared) {
+                renamed[item.key()] = item.value();
+            }
+            if (item.key() == from) {
+                renamed[to] = item.value();
+            }
         }
         *goals = std::move(renamed);
     });

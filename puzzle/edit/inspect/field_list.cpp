@@ -1,7 +1,7 @@
 #include "puzzle/edit/inspect/field_list.hpp"
 
-#include "puzzle/edit/commands/objects.hpp"
 #include "puzzle/edit/tree/object_values.hpp"
+#include "puzzle/edit/tree/part_statements.hpp"
 #include "puzzle/edit/tree/tree_access.hpp"
 
 #include <fmt/format.h>
@@ -27,12 +27,33 @@ std::string unitForPeople(std::string_view unit) {
     return unit == "rad" ? "°" : (unit == "rad/s" ? "°/s" : std::string(unit));
 }
 
+/// The names that a field may refer to.
+struct NamesToChoose {
+    GameData const& data;
+    Json const& level;
+
+    [[nodiscard]] std::vector<std::string> of(FieldInfo const& info) const {
+        return info.key.starts_with("joint_") ? joints() : namesOfObjectsAndPieces(data, level);
+    }
+    /// Joints are referred to by names that they state.
+    [[nodiscard]] std::vector<std::string> joints() const {
+        std::vector<std::string> names;
+        Json const* const list = findList(level, "joints");
+        for (std::size_t i = 0; list != nullptr && i < list->size(); ++i) {
+            if (std::string name = textOf((*list)[i], "name"); !name.empty()) {
+                names.push_back(std::move(name));
+            }
+        }
+        return names;
+    }
+};
+
 /// Lists every field that it visits, with what the file states about it.
 class FieldLister final : public FieldVisitor {
 public:
-    FieldLister(std::vector<std::string> const& objects, NameTable const& names, Json const* stated,
-                std::string around, bool bare)
-        : objects_(objects), names_(names), stated_(stated), around_(std::move(around)), bare_(bare) {}
+    FieldLister(NamesToChoose const& choices, NameTable const& names, Json const* stated, std::string around,
+                bool bare)
+        : choices_(choices), names_(names), stated_(stated), around_(std::move(around)), bare_(bare) {}
 
     std::vector<InspectedField> fields;
 
@@ -49,7 +70,7 @@ public:
     void text(FieldInfo const& info, std::string& value) override { add(info, FieldType::text, value); }
     void object(FieldInfo const& info, ObjectId& value) override {
         std::string const name = names_.nameOf(value);
-        add(info, FieldType::object, name.empty() ? Json() : Json(name)).choices = objects_;
+        add(info, FieldType::object, name.empty() ? Json() : Json(name)).choices = choices_.of(info);
     }
     void choice(FieldInfo const& info, ChoiceField field) override {
         add(info, FieldType::choice, field.names[static_cast<std::size_t>(field.index)])
@@ -65,7 +86,7 @@ public:
             Json const* const entry =
                 here != nullptr && here->is_array() && i < here->size() ? &(*here)[i] : nullptr;
             std::string const inner = fmt::format("{}/{}", place, i);
-            FieldLister lister(objects_, names_, entry, inner, !struct_);
+            FieldLister lister(choices_, names_, entry, inner, !struct_);
             lister.listInfo_ = struct_ ? nullptr : &info;
             field.visitElement(i, lister);
             if (!struct_ && !lister.fields.empty()) {
@@ -116,7 +137,7 @@ private:
         return fields.back();
     }
 
-    std::vector<std::string> const& objects_;
+    NamesToChoose const& choices_;
     NameTable const& names_;
     Json const* stated_;
     std::string around_;
@@ -137,19 +158,19 @@ void addInitials(std::vector<InspectedField>& fields, std::vector<InspectedField
 
 } // namespace
 
-std::optional<std::vector<InspectedField>> fieldsOf(GameData const& /*data*/, Json const& level,
+std::optional<std::vector<InspectedField>> fieldsOf(GameData const& data, Json const& level,
                                                     PropertyInfo const& info, Json const& value) {
     NameTable names;
     auto read = value.is_null() ? info.makeValue() : readValue(info, value, names);
     if (!read) {
         return std::nullopt;
     }
-    std::vector<std::string> const objects = objectNames(level);
+    NamesToChoose const choices{data, level};
     auto initialValue = info.makeValue();
     bool const bare = isBare(outlineOf(*initialValue));
-    FieldLister lister(objects, names, value.is_null() ? nullptr : &value, "", bare);
+    FieldLister lister(choices, names, value.is_null() ? nullptr : &value, "", bare);
     read->visit(lister);
-    FieldLister initial(objects, names, nullptr, "", bare);
+    FieldLister initial(choices, names, nullptr, "", bare);
     initialValue->visit(initial);
     addInitials(lister.fields, initial.fields);
     if (bare && !lister.fields.empty()) {

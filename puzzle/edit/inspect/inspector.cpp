@@ -7,6 +7,7 @@
 #include "runtime/level/property/property_writer.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace trembler::edit {
 namespace {
@@ -67,18 +68,24 @@ ValueOrigin originOf(Json const* own, bool fromPart, bool has) {
     return fromPart ? ValueOrigin::changed : ValueOrigin::own;
 }
 
-/// One property of some objects; nothing if none of them has or removes it.
-std::optional<InspectedProperty> inspectProperty(GameData const& data, Json const& level,
-                                                 std::vector<Json const*> const& entries,
+/// What has properties: objects, or a piece of each.
+struct Owners {
+    std::vector<Json const*> entries;
+    std::string piece; ///< empty: the objects
+};
+
+/// One property of its owners; nothing if none of them has or removes it.
+std::optional<InspectedProperty> inspectProperty(GameData const& data, PartStatements& parts,
+                                                 Json const& level, Owners const& owners,
                                                  PropertyInfo const& info) {
     std::optional<InspectedProperty> found;
     bool onAll = true;
     bool first = true;
     bool const placement = info.text.place == PropertyPlace::placement;
-    for (Json const* const entry : entries) {
-        Json const* const own = ownStatement(*entry, info);
-        bool const fromPart = !partStatement(data, *entry, info).is_null();
-        Json value = effectiveStatement(data, *entry, info);
+    for (Json const* const entry : owners.entries) {
+        Json const* const own = ownStatement(*entry, info, owners.piece);
+        bool const fromPart = !parts.of(textOf(*entry, "part"), owners.piece, info).is_null();
+        Json value = effectiveStatement(parts, *entry, info, owners.piece);
         bool const has = !value.is_null();
         if (!has && own == nullptr && !placement) {
             onAll = false;
@@ -116,18 +123,49 @@ std::optional<InspectedProperty> inspectProperty(GameData const& data, Json cons
     return found;
 }
 
+/// The pieces of an object's part, each under the name by which its entry states it, and others that the
+/// entry states.
+std::vector<InspectedPiece> piecesOfEntry(PartStatements& parts, Json const& entry) {
+    std::string const part = textOf(entry, "part");
+    std::vector<InspectedPiece> pieces;
+    for (PartPiece const& piece : parts.pieces(part)) {
+        pieces.push_back({piece.name, piece.main, false});
+    }
+    auto const stated = entry.is_object() ? entry.find("pieces") : entry.end();
+    if (stated == entry.end() || !stated->is_object()) {
+        return pieces;
+    }
+    for (auto const& item : stated->items()) {
+        std::string const means = parts.pieceNamed(part, item.key());
+        auto const known = std::find_if(pieces.begin(), pieces.end(),
+                                        [&](InspectedPiece const& piece) { return piece.name == means; });
+        if (known == pieces.end()) {
+            pieces.push_back({item.key(), false, true});
+        } else {
+            known->name = item.key();
+            known->stated = true;
+        }
+    }
+    return pieces;
+}
+
 } // namespace
 
 std::vector<InspectedProperty> inspectObjects(GameData const& data, Json const& level,
-                                              std::vector<std::string> const& names) {
+                                              std::vector<std::string> const& names,
+                                              std::string const& piece) {
     std::vector<InspectedProperty> properties;
-    auto const entries = entriesNamed(level, names);
-    if (entries.empty()) {
+    Owners const owners{entriesNamed(level, names), piece};
+    if (owners.entries.empty()) {
         return properties;
     }
+    PartStatements parts(data);
     for (PropertyPlace const place : {PropertyPlace::placement, PropertyPlace::properties}) {
+        if (place == PropertyPlace::placement && !piece.empty()) {
+            continue; // a piece lies where its part says
+        }
         for (PropertyInfo const* const info : propertiesAt(data, place)) {
-            if (auto property = inspectProperty(data, level, entries, *info)) {
+            if (auto property = inspectProperty(data, parts, level, owners, *info)) {
                 properties.push_back(std::move(*property));
             }
         }
@@ -136,12 +174,14 @@ std::vector<InspectedProperty> inspectObjects(GameData const& data, Json const& 
 }
 
 std::vector<AddableProperty> addableProperties(GameData const& data, Json const& level,
-                                               std::vector<std::string> const& names) {
+                                               std::vector<std::string> const& names,
+                                               std::string const& piece) {
     std::vector<AddableProperty> addable;
     auto const entries = entriesNamed(level, names);
+    PartStatements parts(data);
     for (PropertyInfo const* const info : propertiesAt(data, PropertyPlace::properties)) {
         bool const missing = std::any_of(entries.begin(), entries.end(), [&](Json const* entry) {
-            return effectiveStatement(data, *entry, *info).is_null();
+            return effectiveStatement(parts, *entry, *info, piece).is_null();
         });
         if (missing) {
             addable.push_back(
@@ -149,6 +189,30 @@ std::vector<AddableProperty> addableProperties(GameData const& data, Json const&
         }
     }
     return addable;
+}
+
+std::vector<InspectedPiece> inspectPieces(GameData const& data, Json const& level,
+                                          std::vector<std::string> const& names) {
+    std::vector<InspectedPiece> common;
+    PartStatements parts(data);
+    bool first = true;
+    for (Json const* const entry : entriesNamed(level, names)) {
+        std::vector<InspectedPiece> const here = piecesOfEntry(parts, *entry);
+        if (std::exchange(first, false)) {
+            common = here;
+            continue;
+        }
+        std::vector<InspectedPiece> both;
+        for (InspectedPiece const& piece : common) {
+            auto const other = std::find_if(
+                here.begin(), here.end(), [&](InspectedPiece const& one) { return one.name == piece.name; });
+            if (other != here.end()) {
+                both.push_back({piece.name, piece.main && other->main, piece.stated || other->stated});
+            }
+        }
+        common = std::move(both);
+    }
+    return common;
 }
 
 std::vector<InspectedProperty> inspectWorld(GameData const& data, Json const& level) {

@@ -61,13 +61,27 @@ struct AddableProperty {
     std::string help;
 };
 
+/// A piece of objects that are made from composite parts.
+struct InspectedPiece {
+    std::string name;    ///< as "pieces" of their entries states it
+    bool main = false;   ///< without a statement of its own, the objects' own properties are about it
+    bool stated = false; ///< the entry of at least one of them states something about it
+};
+
 /// The properties of objects: first those of placement, then the others by name. Values that cannot be read
-/// are left out (they are problems). Unknown objects are ignored.
+/// are left out (they are problems). Unknown objects are ignored. An object made from a composite part has
+/// those of its main piece. With a name from inspectPieces(), the properties of that piece of each object.
 [[nodiscard]] std::vector<InspectedProperty> inspectObjects(GameData const& data, Json const& level,
-                                                            std::vector<std::string> const& names);
-/// Those that at least one of the objects does not have, by name.
+                                                            std::vector<std::string> const& names,
+                                                            std::string const& piece = {});
+/// Those that at least one of the objects, or of their pieces, does not have, by name.
 [[nodiscard]] std::vector<AddableProperty> addableProperties(GameData const& data, Json const& level,
-                                                             std::vector<std::string> const& names);
+                                                             std::vector<std::string> const& names,
+                                                             std::string const& piece = {});
+/// The pieces that all the objects have or state something about, by name; also those that their parts do not
+/// have, which are problems.
+[[nodiscard]] std::vector<InspectedPiece> inspectPieces(GameData const& data, Json const& level,
+                                                        std::vector<std::string> const& names);
 /// The properties of the world, stated or not, by name; setWorldField() changes them.
 [[nodiscard]] std::vector<InspectedProperty> inspectWorld(GameData const& data, Json const& level);
 /// The fields of a joint that its form has; setJointField() changes them. Empty if there is no such joint.

@@ -37,6 +37,11 @@ std::string_view takeToken(std::string_view& pointer) {
     return token;
 }
 
+/// What a token of a JSON pointer stands for.
+std::string unescaped(std::string_view token) {
+    return token.empty() ? std::string() : Json::json_pointer("/" + std::string(token)).back();
+}
+
 /// The longest beginning of a place that is a condition.
 std::string conditionAround(Json const& goals, std::string place) {
     while (!place.empty()) {
@@ -90,6 +95,9 @@ Problem locateProblem(Json const& level, Diagnostic diagnostic) {
             problem.index = index;
             problem.name = textOf((*list)[index], "name");
             problem.inside = rest;
+            if (section.about == Problem::About::object && takeToken(rest) == "pieces") {
+                problem.piece = unescaped(takeToken(rest));
+            }
         }
     }
     return problem;

@@ -35,6 +35,9 @@ struct Problem {
     /// Of the object, the joint or the solution, if it has one; of a goal, its place as in
     /// commands/goals.hpp.
     std::string name;
+    /// Of an object: the piece of it that the problem is about, as "pieces" of its entry states it; may be
+    /// empty.
+    std::string piece;
     /// The place inside the entry, as a JSON pointer: "/properties/mass". The property's key is its second
     /// token.
     std::string inside;

@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace trembler::edit {
 
 std::unique_ptr<PropertyValue> readValue(PropertyInfo const& info, Json const& json, NameTable& names,
@@ -28,20 +30,27 @@ std::unique_ptr<PropertyValue> readValue(PropertyInfo const& info, Json const& j
     }
 }
 
-Json const* ownStatement(Json const& entry, PropertyInfo const& info) {
+Json const* ownStatement(Json const& entry, PropertyInfo const& info, std::string const& piece) {
     Json const* around = &entry;
-    if (info.text.place == PropertyPlace::properties) {
-        auto const properties = entry.is_object() ? entry.find("properties") : entry.end();
-        if (properties == entry.end()) {
+    auto const enter = [&around](std::string const& key) {
+        if (around == nullptr || !around->is_object()) {
+            around = nullptr;
+            return;
+        }
+        auto const found = around->find(key);
+        around = found == around->end() ? nullptr : &*found;
+    };
+    if (!piece.empty()) {
+        if (info.text.place != PropertyPlace::properties) {
             return nullptr;
         }
-        around = &*properties;
+        enter("pieces");
+        enter(piece);
+    } else if (info.text.place == PropertyPlace::properties) {
+        enter("properties");
     }
-    if (!around->is_object()) {
-        return nullptr;
-    }
-    auto const found = around->find(std::string(info.text.key));
-    return found == around->end() ? nullptr : &*found;
+    enter(std::string(info.text.key));
+    return around;
 }
 
 Json partStatement(GameData const& data, Json const& entry, PropertyInfo const& info) {
@@ -55,6 +64,23 @@ Json effectiveStatement(GameData const& data, Json const& entry, PropertyInfo co
         return *own == false && falseRemoves(info) ? Json() : *own;
     }
     return partStatement(data, entry, info);
+}
+
+Json effectiveStatement(PartStatements& parts, Json const& entry, PropertyInfo const& info,
+                        std::string const& piece) {
+    std::string const part = textOf(entry, "part");
+    Json const* own = ownStatement(entry, info, piece);
+    if (own == nullptr && !piece.empty()) {
+        std::vector<PartPiece> const& all = parts.pieces(part);
+        std::string const meant = parts.pieceNamed(part, piece);
+        bool const main = std::any_of(all.begin(), all.end(),
+                                      [&](PartPiece const& one) { return one.main && one.name == meant; });
+        own = main ? ownStatement(entry, info) : nullptr;
+    }
+    if (own != nullptr) {
+        return *own == false && falseRemoves(info) ? Json() : *own;
+    }
+    return parts.of(part, piece, info);
 }
 
 bool falseRemoves(PropertyInfo const& info) {
@@ -75,9 +101,12 @@ std::optional<Shape> shapeOf(GameData const& data, Json const& entry) {
     return shape == nullptr ? std::nullopt : std::optional(*shape);
 }
 
-void setStatement(Json& entry, PropertyInfo const& info, Json value) {
+void setStatement(Json& entry, PropertyInfo const& info, Json value, std::string const& piece) {
     std::string const key(info.text.key);
     if (info.text.place == PropertyPlace::placement) {
+        if (!piece.empty()) {
+            throw CommandError("a piece lies where its part says");
+        }
         if (value.is_null()) {
             entry.erase(key);
         } else {
@@ -85,22 +114,30 @@ void setStatement(Json& entry, PropertyInfo const& info, Json value) {
         }
         return;
     }
-    if (!entry.contains("properties")) {
+    char const* const around = piece.empty() ? "properties" : "pieces";
+    if (!entry.contains(around)) {
         if (value.is_null()) {
             return;
         }
-        setObjectMember(entry, "properties", Json::object());
+        setObjectMember(entry, around, Json::object());
     }
-    Json& properties = entry["properties"];
-    if (!properties.is_object()) {
+    Json& stated = entry[around];
+    bool const other =
+        !piece.empty() && stated.is_object() && stated.contains(piece) && !stated[piece].is_object();
+    if (!stated.is_object() || other) {
         throw CommandError("the properties of an object are no object");
     }
-    if (value.is_null()) {
-        properties.erase(key);
-        dropIfEmpty(entry, "properties");
-    } else {
-        properties[key] = std::move(value);
+    if (!value.is_null()) {
+        (piece.empty() ? stated : stated[piece])[key] = std::move(value);
+        return;
     }
+    if (piece.empty()) {
+        stated.erase(key);
+    } else if (stated.contains(piece)) {
+        stated[piece].erase(key);
+        dropIfEmpty(stated, piece.c_str());
+    }
+    dropIfEmpty(entry, around);
 }
 
 PropertyInfo const& propertyNamed(GameData const& data, std::string const& key) {

@@ -163,6 +163,15 @@ void renameInEntries(GameData const& data, Json& entries, NewNames const& names)
             if (stated != entry.end() && stated->is_object()) {
                 renameInProperties(data, *stated, names);
             }
+            auto const pieces = entry.is_object() ? entry.find("pieces") : entry.end();
+            if (pieces == entry.end() || !pieces->is_object()) {
+                continue;
+            }
+            for (auto const& piece : pieces->items()) {
+                if (piece.value().is_object()) {
+                    renameInProperties(data, piece.value(), names);
+                }
+            }
         }
     }
     if (auto const joints = entries.find("joints"); joints != entries.end() && joints->is_array()) {

@@ -176,7 +176,8 @@ void setMember(Json& entry, std::string const& key, Json value, std::vector<std:
 }
 
 void setObjectMember(Json& entry, std::string const& key, Json value) {
-    static std::vector<std::string> const order{"name", "part", "at", "angle_deg", "flipped", "properties"};
+    static std::vector<std::string> const order{"name",    "part",       "at",    "angle_deg",
+                                                "flipped", "properties", "pieces"};
     setMember(entry, key, std::move(value), order);
 }
 

@@ -1,5 +1,7 @@
 #include "render/scene/facts/facts.hpp"
 
+#include "physics/electricity/properties/graph.hpp"
+
 #include <algorithm>
 
 namespace trembler::render {
@@ -64,15 +66,54 @@ Facts gather(Find const& find) {
     return facts;
 }
 
+/// Of what is welded to bodies that turn freely about the world, where they do; empty where no electricity
+/// is, as only wires ask.
+std::vector<std::pair<ObjectId, Vec2 const*>> axlesOf(Store const& store) {
+    std::vector<std::pair<ObjectId, Vec2 const*>> turning;
+    std::vector<std::pair<ObjectId, Vec2 const*>> axles;
+    auto const* const joints = store.findColumn<Joint>();
+    auto const* const graph = store.findColumn<ElectricityGraph>();
+    if (joints == nullptr || graph == nullptr || graph->empty()) {
+        return axles;
+    }
+    for (Joint const& joint : joints->values()) {
+        if (joint.form == JointForm::hinge && !joint.limited && !joint.b.valid()) {
+            turning.emplace_back(joint.a, &joint.at);
+        }
+    }
+    std::stable_sort(turning.begin(), turning.end(),
+                     [](auto const& one, auto const& other) { return one.first < other.first; });
+    auto const add = [&](ObjectId object, ObjectId body) {
+        auto const hinge = std::lower_bound(turning.begin(), turning.end(), body,
+                                            [](auto const& entry, ObjectId id) { return entry.first < id; });
+        if (object.valid() && hinge != turning.end() && hinge->first == body) {
+            axles.emplace_back(object, hinge->second);
+        }
+    };
+    for (Joint const& joint : joints->values()) {
+        if (joint.form == JointForm::weld && !turning.empty()) {
+            add(joint.a, joint.b);
+            add(joint.b, joint.a);
+        }
+    }
+    std::stable_sort(axles.begin(), axles.end(),
+                     [](auto const& one, auto const& other) { return one.first < other.first; });
+    return axles;
+}
+
 } // namespace
 
 FactsReader::FactsReader(World const& world)
-    : columns_(world.store()), state_(world.find<ElectricalState>()) {}
+    : columns_(world.store()), state_(world.find<ElectricalState>()), axles_(axlesOf(world.store())) {}
 
 Facts FactsReader::of(ObjectId id) const {
     Facts facts = gather([&]<class P>() { return columns_.find<P>(id); });
     facts.id = id;
     facts.on = state_ != nullptr && state_->isOn(id);
+    auto const axle =
+        std::lower_bound(axles_.begin(), axles_.end(), id,
+                         [](auto const& entry, ObjectId object) { return entry.first < object; });
+    facts.axle = axle != axles_.end() && axle->first == id ? axle->second : nullptr;
     return facts;
 }
 

@@ -16,6 +16,7 @@
 #include "runtime/world/world.hpp"
 
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace trembler::render {
@@ -40,7 +41,8 @@ struct Facts {
     MadeOf const* madeOf = nullptr;
     Look const* look = nullptr;
     Drawing const* drawing = nullptr;
-    LookForm form = LookForm::own;            ///< as stated
+    Vec2 const* axle = nullptr;    ///< where the body turns about the world that this is welded to; m
+    LookForm form = LookForm::own; ///< as stated
     Substance substance = Substance::plastic; ///< as stated, else guessed
 
     /// It is shown by a symbol alone: it conducts but has no body.
@@ -84,6 +86,7 @@ private:
               Drawing>
         columns_;
     ElectricalState const* state_;
+    std::vector<std::pair<ObjectId, Vec2 const*>> axles_; // of conductors that are connected; by object
 };
 
 /// The same of a part that is not in any world; it lies at the origin unless its values say otherwise.

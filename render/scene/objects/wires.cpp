@@ -81,6 +81,11 @@ std::vector<std::pair<ObjectId, ObjectId>> hiddenTies(World const& world) {
 Extent cableReach(Facts const& a, Pose const& poseA, Facts const& b, Pose const& poseB) {
     Extent around = extentOf(a, poseA);
     around.add(extentOf(b, poseB));
+    for (Vec2 const* const axle : {a.axle, b.axle}) {
+        if (axle != nullptr) {
+            around.add(toPoint(*axle));
+        }
+    }
     return around.widened(around.empty() ? 0 : 2 * cableSag * around.half().x + cableWidth);
 }
 
@@ -129,16 +134,30 @@ std::vector<Link> linksOf(World const& world) {
 }
 
 std::vector<Point> cablePath(Facts const& a, Pose const& poseA, Facts const& b, Pose const& poseB) {
-    Point const from = terminalOf(a, poseA, poseB.at);
-    Point const to = terminalOf(b, poseB, from);
-    Point const start = terminalOf(a, poseA, to);
+    // The wires of what turns leave through its axle, where they cross nothing and are not wound up.
+    bool const apart = a.axle != b.axle;
+    Vec2 const* const axleA = apart ? a.axle : nullptr;
+    Vec2 const* const axleB = apart ? b.axle : nullptr;
+    auto const endAt = [](Facts const& facts, Pose const& pose, Vec2 const* axle, Point towards) {
+        return axle != nullptr ? toPoint(*axle) : terminalOf(facts, pose, towards);
+    };
+    Point const from = endAt(a, poseA, axleA, axleB != nullptr ? toPoint(*axleB) : poseB.at);
+    Point const to = endAt(b, poseB, axleB, from);
+    Point const start = endAt(a, poseA, axleA, to);
     // A cable a tenth longer than the way across hangs about this deep; one that hangs straight down does not
     // sag.
     Point const across = to - start;
     double const sag = cableSag * std::abs(across.x);
     double const parts = std::clamp(length(across) / 0.08, 6.0, 28.0);
     // A simulation that has come apart has no lengths.
-    return hangingWire(start, to, sag, std::isfinite(parts) ? static_cast<int>(parts) : 6);
+    std::vector<Point> path = hangingWire(start, to, sag, std::isfinite(parts) ? static_cast<int>(parts) : 6);
+    if (axleA != nullptr) {
+        path.insert(path.begin(), terminalOf(a, poseA, start));
+    }
+    if (axleB != nullptr) {
+        path.push_back(terminalOf(b, poseB, to));
+    }
+    return path;
 }
 
 void drawWires(Canvas& canvas, FactsReader const& reader, std::vector<Link> const& links,

@@ -27,7 +27,8 @@ struct Link {
 /// Answers where an object is drawn.
 using PoseOf = std::function<Pose(Facts const&)>;
 
-/// The line along which a cable hangs between two objects, from a to b.
+/// The line along which a cable hangs between two objects, from a to b. From one that is welded to a body
+/// that turns freely about the world it leaves through that axle.
 [[nodiscard]] std::vector<Point> cablePath(Facts const& a, Pose const& poseA, Facts const& b,
                                            Pose const& poseB);
 

@@ -15,6 +15,41 @@
 
 namespace trembler::edit {
 
+namespace {
+
+/// A change of a piece of a doorbell; if there is none, it is added.
+Command anyOfPieces(LevelDocument const& document, std::function<int(int)> const& next) {
+    Json const& level = document.tree();
+    GameData const& data = document.data();
+    std::vector<std::string> bells;
+    for (std::string const& name : objectNames(level)) {
+        if (findObject(level, name)->value("part", Json()) == "doorbell") {
+            bells.push_back(name);
+        }
+    }
+    if (bells.empty()) {
+        return addObject(level, {"doorbell", {next(9) / 2.0, 2}});
+    }
+    std::vector<std::string> const pieces{"striker", "bell", "backboard", "none"};
+    std::string const piece = pieces[static_cast<std::size_t>(next(4))];
+    switch (next(6)) {
+    case 0:
+        return setField(data, level, bells, "density", "", 100 + next(900), piece);
+    case 1:
+        return setField(data, level, bells, "look", "/colour", "#b5372f", piece);
+    case 2:
+        return addProperty(data, level, bells, "magnet", piece);
+    case 3:
+        return resetProperty(data, level, bells, "density", piece);
+    case 4:
+        return removeProperty(data, level, bells, "material", piece);
+    default:
+        return resetPiece(level, bells, piece);
+    }
+}
+
+} // namespace
+
 Command anyCommand(LevelDocument const& document, std::function<int(int)> const& next) {
     Json const& level = document.tree();
     GameData const& data = document.data();
@@ -45,7 +80,7 @@ Command anyCommand(LevelDocument const& document, std::function<int(int)> const&
     auto const kind = [&](std::vector<std::string> const& kinds) {
         return kinds[static_cast<std::size_t>(next(static_cast<int>(kinds.size())))];
     };
-    switch (next(57)) {
+    switch (next(62)) {
     case 0:
         return addObject(level, {"steel ball", point(), number()});
     case 1: {
@@ -171,6 +206,17 @@ Command anyCommand(LevelDocument const& document, std::function<int(int)> const&
         return next(3) == 0   ? translateGoal(level, "de", kind({"this", "that"}), kind({"", "Ziel"}))
                : next(2) == 0 ? setHint(level, index(), kind({"hint", "another"}))
                               : moveHint(level, index(), index());
+    case 56:
+        return addObject(level, {kind({"doorbell", "push switch"}), point(), number()});
+    case 57:
+    case 58:
+        return anyOfPieces(document, next);
+    case 59:
+        return next(2) == 0   ? moveTool(level, index(), index())
+               : next(2) == 0 ? moveSolution(level, index(), index())
+                              : setSolutionFrames(level, kind({"wait", "stay"}), next(3) * 100);
+    case 60:
+        return setFlipped(level, some(), next(2) == 0);
     default:
         return pasteText(data, level, copiedText(level, some()), point());
     }

@@ -50,6 +50,7 @@ std::vector<Command<EditParts>> joinedMenus() {
 
 constexpr Gesture gesturesOfEditor[] = {
     {.with = "click", .does = "select (Shift: add or remove)", .group = CommandGroup::editing},
+    {.with = "double click", .does = "select a piece of a part", .group = CommandGroup::editing},
     {.with = "drag on the paper", .does = "select with a box", .group = CommandGroup::editing},
     {.with = "drag an object", .does = "move the selection", .group = CommandGroup::editing},
     {.with = "drag the round knob", .does = "turn the selection", .group = CommandGroup::editing},

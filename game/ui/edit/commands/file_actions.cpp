@@ -91,6 +91,8 @@ void back(EditParts& parts) {
         parts.partInHand.clear();
     } else if (parts.tool != Tool::select) {
         parts.tool = Tool::select;
+    } else if (!parts.selection.piece().empty()) {
+        parts.selection.choosePiece("");
     } else if (!parts.selection.empty()) {
         parts.selection.clear();
     } else {

@@ -6,6 +6,7 @@
 #include "game/ui/edit/view/edit_geometry.hpp"
 #include "puzzle/edit/commands/contents.hpp"
 #include "puzzle/edit/commands/objects.hpp"
+#include "puzzle/edit/tree/part_statements.hpp"
 
 #include <algorithm>
 #include <array>
@@ -30,7 +31,7 @@ std::string choiceOf(Json const& one) {
 }
 
 bool oneObjectField(EditParts& parts, Json& one, std::string const& item) {
-    std::vector<std::string> choices = edit::objectNames(parts.tree());
+    std::vector<std::string> choices = edit::namesOfObjectsAndPieces(*parts.data, parts.tree());
     choices.emplace_back("it");
     for (std::string const& part : parts.data->parts.names()) {
         choices.push_back(anyOfPart + part);

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 
 namespace trembler::ui {
 namespace {
@@ -19,6 +20,7 @@ using namespace render;
 using edit::Json;
 
 constexpr float shareOfName = 0.38F;
+constexpr float arrowGap = 3; // pixels at UI scale 1
 
 std::string numberFormat(std::string const& unit, bool whole) {
     std::string format = whole ? "%.0f" : "%.5g";
@@ -198,8 +200,12 @@ std::optional<Json> fieldWidget(EditParts& parts, edit::InspectedField const& fi
     case FieldType::choice: {
         std::string chosen = field.value.is_string() ? field.value.get<std::string>() : "";
         bool const named = field.type == FieldType::object; // names of objects are the designer's
-        if (choiceField(parts, item, chosen, field.choices, named ? nullptr : shownChoice)) {
-            result = chosen;
+        std::vector<std::string> choices = field.choices;
+        if (named && !field.required && !field.place.empty()) {
+            choices.insert(choices.begin(), ""); // none, as the world for a joint
+        }
+        if (choiceField(parts, item, chosen, choices, named ? nullptr : shownChoice)) {
+            result = chosen.empty() ? Json() : Json(chosen);
         }
         break;
     }
@@ -242,8 +248,24 @@ std::optional<Area> areaFields(EditParts& parts, Area const& area, std::string c
         pair(words::cornerField, "corner", changed.box->corner, -1e6);
         pair(words::sizeField, "size", changed.box->size, 0.001);
     }
+    std::optional<std::size_t> removed;
+    bool const many = changed.corners.size() > 3;
     for (std::size_t i = 0; i < changed.corners.size(); ++i) {
-        pair(words::cornerField, std::to_string(i), changed.corners[i], -1e6);
+        std::string const number = std::to_string(i);
+        pair(words::cornerField, number, changed.corners[i], -1e6);
+        if (many && smallButton(parts, words::removeIt, item + " " + number + " remove")) {
+            removed = i;
+        }
+    }
+    bool const added = !changed.corners.empty() && smallButton(parts, words::addEntry, item + " add");
+    if (removed || added) {
+        parts.widget = {parts.document.newGesture(), edit::Gesture::Next::replaces};
+        touched = true;
+    }
+    if (removed) {
+        changed.corners.erase(changed.corners.begin() + static_cast<std::ptrdiff_t>(*removed));
+    } else if (added) { // where it changes nothing yet
+        changed.corners.push_back(0.5 * (changed.corners.front() + changed.corners.back()));
     }
     return touched ? std::optional(changed) : std::nullopt;
 }
@@ -255,6 +277,30 @@ bool smallButton(EditParts& parts, char const* label, std::string const& item, c
         ImGui::SetTooltip("%s", tip);
     }
     return clicked;
+}
+
+std::optional<std::size_t> orderArrows(EditParts& parts, std::string const& item, std::size_t index,
+                                       std::size_t count) {
+    std::optional<std::size_t> to;
+    auto const arrow = [&](char const* id, ImGuiDir way, bool possible, char const* tip, std::size_t target) {
+        ImGui::SameLine(0, scaled(arrowGap));
+        ImGui::BeginDisabled(!possible); // it keeps its place under a mouse that clicks it again
+        if (ImGui::ArrowButton(id, way)) {
+            to = target;
+        }
+        ImGui::EndDisabled();
+        parts.context.layout.item(item + " " + id);
+        if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) {
+            ImGui::SetTooltip("%s", tip);
+        }
+    };
+    arrow("up", ImGuiDir_Up, index > 0, words::upIt, index - 1);
+    arrow("down", ImGuiDir_Down, index + 1 < count, words::downIt, index + 1);
+    return to;
+}
+
+float orderArrowsWidth() {
+    return 2 * (ImGui::GetFrameHeight() + scaled(arrowGap));
 }
 
 void besideIfRoom(char const* label) {

@@ -76,6 +76,17 @@ Json const* conditionAt(EditParts const& parts, std::string const& place) {
     }
 }
 
+/// How many conditions are in the list around a condition; 0: it is in none.
+std::size_t listAround(EditParts const& parts, std::string const& place) {
+    std::size_t const end = place.rfind('/');
+    if (place.empty() || end == std::string::npos) {
+        return 0;
+    }
+    Json::json_pointer const list(std::string("/") + edit::keyOf(parts.goalTree) + place.substr(0, end));
+    bool const there = parts.tree().contains(list) && parts.tree().at(list).is_array();
+    return there ? parts.tree().at(list).size() : 0;
+}
+
 void drawChosen(EditParts& parts, edit::GoalLine const& line) {
     Json const* const found = conditionAt(parts, line.place);
     if (found == nullptr) {
@@ -132,20 +143,26 @@ void drawChosen(EditParts& parts, edit::GoalLine const& line) {
     if (smallButton(parts, words::unwrap, "unwrap", words::unwrapTip)) {
         parts.run([&](Json const& level) { return edit::unwrapGoal(level, line.place, parts.goalTree); });
     }
-    std::size_t const index = indexOfPath(line.place);
-    if (!line.place.empty() && index > 0) {
-        besideIfRoom(words::upIt);
-        if (smallButton(parts, words::upIt, "goal up")) {
-            parts.run([&](Json const& level) {
-                return edit::moveGoal(level, line.place, index - 1, parts.goalTree);
-            });
-        }
-    }
     besideIfRoom(words::removeIt);
+    bool removed = false;
     if (smallButton(parts, words::removeIt, "remove goal")) {
         if (parts.run(
                 [&](Json const& level) { return edit::removeGoal(level, line.place, parts.goalTree); })) {
             parts.goalChosen = false;
+            removed = true;
+        }
+    }
+    std::size_t const inList = removed ? 0 : listAround(parts, line.place);
+    if (inList > 1) {
+        if (auto const to = orderArrows(parts, "goal", indexOfPath(line.place), inList)) {
+            bool const moved = parts.run(
+                [&](Json const& level) { return edit::moveGoal(level, line.place, *to, parts.goalTree); });
+            if (moved) { // it is still the chosen one
+                parts.goalPlace = line.place.substr(0, line.place.rfind('/') + 1) + std::to_string(*to);
+                if (parts.selection.kind() == EntryKind::goalArea) {
+                    parts.selection.choose(EntryKind::goalArea, parts.goalPlace);
+                }
+            }
         }
     }
 }

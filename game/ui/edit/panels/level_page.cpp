@@ -52,63 +52,80 @@ void drawTexts(EditParts& parts) {
         if (committedText(parts, item, hint, 2)) {
             parts.run([&](Json const& level) { return edit::setHint(level, i, hint); });
         }
+        ImGui::PushID(item.c_str());
         if (smallButton(parts, words::removeIt, item + " remove")) {
             parts.run([&](Json const& level) { return edit::removeHint(level, i); });
         }
-        if (i > 0) {
-            besideIfRoom(words::upIt);
-            if (smallButton(parts, words::upIt, item + " up")) {
-                parts.run([&](Json const& level) { return edit::moveHint(level, i, i - 1); });
-            }
+        if (auto const to = orderArrows(parts, item, i, hints.size())) {
+            parts.run([&](Json const& level) { return edit::moveHint(level, i, *to); });
         }
+        ImGui::PopID();
     }
     if (smallButton(parts, words::addHint, "add hint")) {
         parts.run([&](Json const& level) { return edit::addHint(level, words::newHint); });
     }
 }
 
-/// How many wires the player may lay.
-void drawWires(EditParts& parts) {
-    double count = 0;
-    for (Json const& tool : listAt(parts.tree(), "toolbox")) {
-        if (tool.is_object() && tool.contains("wire") && tool["wire"].is_number()) {
-            count = tool["wire"].get<double>();
-        }
-    }
+/// How many wires the player may lay; `beside` is the width of the buttons that follow in pixels.
+void drawWires(EditParts& parts, double count, float beside) {
     fieldName(words::wiresField, words::wiresTip);
+    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - beside);
     if (numberField(parts, "wires", count, 0, 1000, "", true)) {
         runWidget(
             parts, [&](Json const& level) { return edit::setWires(level, static_cast<int>(count)); }, true);
     }
 }
 
+double numberAt(Json const& tool, char const* key, double otherwise) {
+    return tool.contains(key) && tool[key].is_number() ? tool[key].get<double>() : otherwise;
+}
+
+/// A part, or the wires, with the number of them; `beside` is the width of the buttons that follow in pixels.
+void drawTool(EditParts& parts, Json const& tool, std::size_t index, float beside) {
+    if (tool.contains("wire")) {
+        return drawWires(parts, numberAt(tool, "wire", 0), beside);
+    }
+    std::string const item = "tool " + std::to_string(index);
+    std::string const part = textAt(tool, "part");
+    double count = numberAt(tool, "count", 1);
+    fieldName(parts.catalog().titleOf(part), part);
+    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - beside);
+    if (numberField(parts, item, count, 1, 1000, "", true)) {
+        runWidget(
+            parts,
+            [&](Json const& level) { return edit::setToolCount(level, index, static_cast<int>(count)); },
+            true);
+    }
+}
+
 void drawToolboxRows(EditParts& parts) {
     pageHeading(words::toolboxHeading);
     Json const tools = listAt(parts.tree(), "toolbox");
+    bool wires = false;
+    float const gap = scaled(3);
+    float const remove =
+        gap + ImGui::CalcTextSize(words::removeShort).x + 2 * ImGui::GetStyle().FramePadding.x;
     for (std::size_t i = 0; i < tools.size(); ++i) {
-        if (tools[i].is_object() && tools[i].contains("wire")) {
-            continue; // no part: below
-        }
+        bool const ofWires = tools[i].is_object() && tools[i].contains("wire");
+        wires = wires || ofWires;
         std::string const item = "tool " + std::to_string(i);
-        std::string const part = tools[i].is_object() ? textAt(tools[i], "part") : "";
-        double count = tools[i].is_object() && tools[i].contains("count") && tools[i]["count"].is_number()
-                           ? tools[i]["count"].get<double>()
-                           : 1;
-        fieldName(parts.catalog().titleOf(part), part);
-        float const width = ImGui::GetContentRegionAvail().x;
-        ImGui::SetNextItemWidth(width - scaled(72));
-        if (numberField(parts, item, count, 1, 1000, "", true)) {
-            runWidget(
-                parts,
-                [&](Json const& level) { return edit::setToolCount(level, i, static_cast<int>(count)); },
-                true);
+        // By its name, so that the ring of the keyboard stays with an entry that is moved.
+        ImGui::PushID(ofWires ? "wires" : textAt(tools[i], "part").c_str());
+        drawTool(parts, tools[i].is_object() ? tools[i] : Json::object(), i, orderArrowsWidth() + remove);
+        if (auto const to = orderArrows(parts, item, i, tools.size())) {
+            parts.run([&](Json const& level) { return edit::moveTool(level, i, *to); });
         }
-        ImGui::SameLine();
+        ImGui::SameLine(0, gap);
         if (smallButton(parts, words::removeShort, item + " remove", words::removeIt)) {
-            parts.run([&](Json const& level) { return edit::removeTool(level, i); });
+            parts.run([&](Json const& level) {
+                return ofWires ? edit::setWires(level, 0) : edit::removeTool(level, i);
+            });
         }
+        ImGui::PopID();
     }
-    drawWires(parts);
+    if (!wires) {
+        drawWires(parts, 0, 0);
+    }
     std::string chosen;
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
     if (choiceField(parts, "add tool", chosen, parts.data->parts.names())) {
@@ -171,11 +188,24 @@ void drawWorld(EditParts& parts) {
 
 void drawMods(EditParts& parts) {
     pageHeading(words::modsHeading);
-    std::vector<std::string> mods = parts.level.mods;
+    std::vector<std::string> mods; // as the file has them: one that is not loaded yet is not read
+    for (Json const& name : listAt(parts.tree(), "mods")) {
+        if (name.is_string()) {
+            mods.push_back(name.get<std::string>());
+        }
+    }
     bool changed = false;
     auto const folders = lua::modFolders({}, parts.document.path(), parts.options.data->home);
+    std::vector<std::string> names;
     for (std::filesystem::path const& folder : lua::listMods(folders)) {
-        std::string const name = folder.filename().string();
+        names.push_back(folder.filename().string());
+    }
+    for (std::string const& name : mods) { // also one that is nowhere, so that it can be taken out
+        if (std::find(names.begin(), names.end(), name) == names.end()) {
+            names.push_back(name);
+        }
+    }
+    for (std::string const& name : names) {
         auto const at = std::find(mods.begin(), mods.end(), name);
         bool on = at != mods.end();
         if (render::checkBox(name.c_str(), &on)) {

@@ -18,6 +18,7 @@ void showCulprit(EditParts& parts, edit::Problem const& problem) {
     switch (problem.about) {
     case About::object:
         parts.selection.set({problem.name});
+        parts.selection.choosePiece(problem.piece);
         parts.tab = Tab::properties;
         break;
     case About::joint:

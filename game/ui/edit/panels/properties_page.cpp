@@ -9,7 +9,9 @@
 #include "puzzle/edit/commands/contents.hpp"
 #include "puzzle/edit/commands/objects.hpp"
 #include "puzzle/edit/commands/properties.hpp"
+#include "puzzle/edit/tree/part_statements.hpp"
 #include "render/panels/cards.hpp"
+#include "render/panels/check_box.hpp"
 #include "render/panels/theme.hpp"
 
 #include <algorithm>
@@ -44,6 +46,49 @@ void drawNameAndPart(EditParts& parts) {
         runWidget(
             parts, [&](Json const& level) { return edit::setPart(level, names, part); }, false);
     }
+    bool flipped = object != nullptr && object->contains("flipped") && (*object)["flipped"] == true;
+    fieldName(words::mirroredField, words::mirroredTip);
+    if (render::checkBox("##object flipped", &flipped)) {
+        runWidget(
+            parts, [&](Json const& level) { return edit::setFlipped(level, names, flipped); }, false);
+    }
+    parts.context.layout.item("object flipped");
+}
+
+/// Of objects that are made from composite parts, the piece that the rows below are about.
+void drawPieceChoice(EditParts& parts, std::vector<edit::InspectedPiece> const& pieces) {
+    std::string chosen = parts.selection.piece();
+    auto const known = [&](std::string const& name) {
+        return std::find_if(pieces.begin(), pieces.end(),
+                            [&](auto const& piece) { return piece.name == name; });
+    };
+    if (!chosen.empty() && known(chosen) == pieces.end()) { // undone, or of another part now
+        parts.selection.choosePiece("");
+        chosen.clear();
+    }
+    std::vector<std::string> names{""};
+    for (edit::InspectedPiece const& piece : pieces) {
+        if (!piece.main || piece.stated) { // else it has the properties of the whole
+            names.push_back(piece.name);
+        }
+    }
+    if (names.size() == 1) {
+        return;
+    }
+    auto const inWords = [&](std::string const& name) {
+        auto const piece = known(name);
+        return name + (piece != pieces.end() && piece->stated ? " *" : "");
+    };
+    fieldName(words::pieceField, words::pieceFieldTip);
+    if (choiceField(parts, "piece", chosen, names, inWords)) {
+        parts.selection.choosePiece(chosen);
+    }
+    if (!chosen.empty() && known(chosen)->stated &&
+        smallButton(parts, words::resetPiece, "reset piece", words::resetPieceTip)) {
+        runWidget(
+            parts, [&](Json const& level) { return edit::resetPiece(level, parts.selected(), chosen); },
+            false);
+    }
 }
 
 void drawAddProperty(EditParts& parts) {
@@ -53,12 +98,13 @@ void drawAddProperty(EditParts& parts) {
         return;
     }
     for (edit::AddableProperty const& property :
-         edit::addableProperties(*parts.data, parts.tree(), parts.selected())) {
+         edit::addableProperties(*parts.data, parts.tree(), parts.selected(), parts.selection.piece())) {
         if (ImGui::Selectable(text(property.name))) {
             runWidget(
                 parts,
                 [&](Json const& level) {
-                    return edit::addProperty(*parts.data, level, parts.selected(), property.key);
+                    return edit::addProperty(*parts.data, level, parts.selected(), property.key,
+                                             parts.selection.piece());
                 },
                 false);
         }
@@ -71,23 +117,30 @@ void drawAddProperty(EditParts& parts) {
 }
 
 /// Of many objects these take long to gather, so while they are dragged those from before the drag are shown.
-std::vector<edit::InspectedProperty> const& inspectedProperties(EditParts& parts) {
+InspectedSelection const& inspectedSelection(EditParts& parts) {
     InspectedSelection& seen = parts.inspected;
-    bool const sameObjects = seen.known && seen.names == parts.selected();
+    std::string const& piece = parts.selection.piece();
+    bool const sameObjects = seen.known && seen.names == parts.selected() && seen.piece == piece;
     bool const current = sameObjects && seen.revision == parts.document.revision();
     bool const dragged =
         sameObjects && seen.names.size() > 1 && parts.changing() && !ImGui::IsAnyItemActive();
     if (!current && !dragged) {
-        seen = {parts.document.revision(), parts.selected(),
-                edit::inspectObjects(*parts.data, parts.tree(), parts.selected()), true};
+        seen = {parts.document.revision(),
+                parts.selected(),
+                piece,
+                edit::inspectObjects(*parts.data, parts.tree(), parts.selected(), piece),
+                edit::inspectPieces(*parts.data, parts.tree(), parts.selected()),
+                true};
     }
-    return seen.properties;
+    return seen;
 }
 
 void drawObjectProperties(EditParts& parts) {
     drawNameAndPart(parts);
     // Copied, as a widget may change the selection.
-    auto const properties = inspectedProperties(parts);
+    auto const pieces = inspectedSelection(parts).pieces;
+    drawPieceChoice(parts, pieces);
+    auto const properties = inspectedSelection(parts).properties;
     edit::InspectedProperty const* scripts = nullptr;
     for (edit::InspectedProperty const& property : properties) {
         if (property.key == "scripts" && parts.data->scripts != nullptr) {
@@ -139,7 +192,7 @@ void drawConnection(EditParts& parts) {
         return caption(words::nothingSelected);
     }
     edit::ConnectionEntry entry = *found;
-    std::vector<std::string> const names = edit::objectNames(parts.tree());
+    std::vector<std::string> const names = edit::namesOfObjectsAndPieces(*parts.data, parts.tree());
     bool changed = false;
     fieldName(words::fromField, "");
     changed = choiceField(parts, "connection from", entry.a, names);

@@ -14,7 +14,7 @@ using namespace render;
 using edit::InspectedField;
 using edit::Json;
 
-/// Whose fields are drawn: of the selected objects, or of the world.
+/// Whose fields are drawn: of the selected objects, of the piece of them that is selected, or of the world.
 struct Owner {
     EditParts& parts;
     bool world = false;
@@ -22,7 +22,8 @@ struct Owner {
     [[nodiscard]] edit::Command set(Json const& level, std::string const& key, std::string const& place,
                                     Json const& value) const {
         return world ? edit::setWorldField(*parts.data, level, key, place, value)
-                     : edit::setField(*parts.data, level, parts.selected(), key, place, value);
+                     : edit::setField(*parts.data, level, parts.selected(), key, place, value,
+                                      parts.selection.piece());
     }
 };
 
@@ -48,19 +49,27 @@ void drawList(Owner const& owner, std::string const& key, InspectedField const& 
             runWidget(
                 parts,
                 [&](Json const& level) {
-                    return edit::removeListEntry(*parts.data, level, parts.selected(), key, field.place, i);
+                    return edit::removeListEntry(*parts.data, level, parts.selected(), key, field.place, i,
+                                                 parts.selection.piece());
                 },
                 false);
         }
         ImGui::PopID();
     }
-    if (!owner.world && !field.entries.empty() &&
-        smallButton(parts, words::addEntry, "add " + key + field.place)) {
+    // Lists of several objects that differ in length have no common end.
+    if (owner.world || (field.mixed && field.entries.empty())) {
+        return;
+    }
+    if (field.entries.empty()) {
+        fieldName(shownField(field.name), text(field.help));
+    }
+    if (smallButton(parts, words::addEntry, "add " + key + field.place)) {
         Json const entry = field.value.is_array() && !field.value.empty() ? field.value.back() : Json();
         runWidget(
             parts,
             [&](Json const& level) {
-                return edit::addListEntry(*parts.data, level, parts.selected(), key, field.place, entry);
+                return edit::addListEntry(*parts.data, level, parts.selected(), key, field.place, entry,
+                                          parts.selection.piece());
             },
             false);
     }
@@ -112,7 +121,8 @@ void drawObjectProperty(EditParts& parts, edit::InspectedProperty const& propert
             runWidget(
                 parts,
                 [&](Json const& level) {
-                    return edit::resetProperty(*parts.data, level, parts.selected(), property.key);
+                    return edit::resetProperty(*parts.data, level, parts.selected(), property.key,
+                                               parts.selection.piece());
                 },
                 false);
         }
@@ -123,7 +133,8 @@ void drawObjectProperty(EditParts& parts, edit::InspectedProperty const& propert
             runWidget(
                 parts,
                 [&](Json const& level) {
-                    return edit::removeProperty(*parts.data, level, parts.selected(), property.key);
+                    return edit::removeProperty(*parts.data, level, parts.selected(), property.key,
+                                                parts.selection.piece());
                 },
                 false);
         }

@@ -129,8 +129,10 @@ void drawScripts(EditParts& parts, edit::InspectedProperty const* property) {
     runWidget(
         parts,
         [&](Json const& level) {
-            return uses.empty() ? edit::removeProperty(*parts.data, level, parts.selected(), "scripts")
-                                : edit::setField(*parts.data, level, parts.selected(), "scripts", "", uses);
+            std::string const& piece = parts.selection.piece();
+            return uses.empty()
+                       ? edit::removeProperty(*parts.data, level, parts.selected(), "scripts", piece)
+                       : edit::setField(*parts.data, level, parts.selected(), "scripts", "", uses, piece);
         },
         true);
 }

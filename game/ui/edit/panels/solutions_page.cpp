@@ -6,6 +6,7 @@
 #include "render/panels/cards.hpp"
 #include "render/panels/check_box.hpp"
 #include "render/panels/theme.hpp"
+#include "runtime/level/json/limits.hpp"
 
 namespace trembler::ui {
 namespace {
@@ -13,18 +14,33 @@ namespace {
 using namespace render;
 using edit::Json;
 
-void drawSolution(EditParts& parts, Solution const& solution, std::size_t index) {
+void drawSolution(EditParts& parts, Solution const& solution, std::size_t index, std::size_t count) {
     std::string const item = "solution " + std::to_string(index);
     std::string name = solution.name;
-    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
+    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - (count > 1 ? orderArrowsWidth() : 0));
     if (committedText(parts, item, name)) {
         parts.run([&](Json const& level) { return edit::renameSolution(level, solution.name, name); });
+    }
+    if (count > 1) {
+        if (auto const to = orderArrows(parts, item, index, count)) {
+            parts.run([&](Json const& level) { return edit::moveSolution(level, index, *to); });
+        }
     }
     bool solves = solution.solves;
     if (render::checkBox((std::string(words::solvesLevel) + "##" + item).c_str(), &solves)) {
         parts.run([&](Json const& level) { return edit::expectSolved(level, solution.name, solves); });
     }
     parts.context.layout.item(item + " solves");
+    double frames = solution.frames.value_or(0);
+    fieldName(words::framesField, words::framesTip);
+    if (numberField(parts, item + " frames", frames, 0, static_cast<double>(limits::frames), "", true)) {
+        runWidget(
+            parts,
+            [&](Json const& level) {
+                return edit::setSolutionFrames(level, solution.name, static_cast<int>(frames));
+            },
+            true);
+    }
     if (smallButton(parts, words::watch, item + " watch", words::watchTip)) {
         actions::playSolution(parts, solution.name, false);
     }
@@ -47,8 +63,9 @@ void drawSolutionsPage(EditParts& parts) {
     }
     std::vector<Solution> const solutions = parts.level.solutions;
     for (std::size_t i = 0; i < solutions.size(); ++i) {
-        ImGui::PushID(static_cast<int>(i));
-        drawSolution(parts, solutions[i], i);
+        // By its name, so that the ring of the keyboard stays with a solution that is moved.
+        ImGui::PushID(solutions[i].name.c_str());
+        drawSolution(parts, solutions[i], i, solutions.size());
         ImGui::PopID();
     }
     if (smallButton(parts, words::recordNew, "record new", words::recordNewTip)) {

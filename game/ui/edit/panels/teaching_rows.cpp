@@ -5,6 +5,7 @@
 #include "puzzle/edit/commands/contents.hpp"
 #include "puzzle/edit/commands/editor_state.hpp"
 #include "puzzle/edit/commands/objects.hpp"
+#include "puzzle/edit/tree/part_statements.hpp"
 #include "render/panels/check_box.hpp"
 #include "render/panels/theme.hpp"
 
@@ -97,7 +98,7 @@ StepChange editStep(EditParts& parts, std::string const& kind, std::string const
         change.touched = change.touched || touched;
         change.continuous = change.continuous || touched;
     };
-    auto const objects = edit::objectNames(parts.tree());
+    auto const objects = edit::namesOfObjectsAndPieces(*parts.data, parts.tree());
     if (kind == "place") {
         change.touched =
             nameChoice(parts, words::partField, item + " part", step[kind], partsOfToolbox(parts.tree()));
@@ -126,8 +127,9 @@ StepChange editStep(EditParts& parts, std::string const& kind, std::string const
     return change;
 }
 
-void drawStep(EditParts& parts, Json const& stated, std::size_t index) {
+void drawStep(EditParts& parts, Json const& stated, std::size_t index, std::size_t count) {
     std::string const item = "step " + std::to_string(index);
+    ImGui::PushID(item.c_str());
     std::string const kind = kindOfStep(stated);
     ImGui::Text("%zu. %s", index + 1, shownStep(kind).c_str());
     Json step = stated;
@@ -139,12 +141,10 @@ void drawStep(EditParts& parts, Json const& stated, std::size_t index) {
     if (smallButton(parts, words::removeIt, item + " remove")) {
         parts.run([&](Json const& level) { return edit::removeStep(level, index); });
     }
-    if (index > 0) {
-        besideIfRoom(words::upIt);
-        if (smallButton(parts, words::upIt, item + " up")) {
-            parts.run([&](Json const& level) { return edit::moveStep(level, index, index - 1); });
-        }
+    if (auto const to = orderArrows(parts, item, index, count)) {
+        parts.run([&](Json const& level) { return edit::moveStep(level, index, *to); });
     }
+    ImGui::PopID();
 }
 
 void drawAddStep(EditParts& parts) {
@@ -188,7 +188,7 @@ void drawTeachingSteps(EditParts& parts) {
                            ? parts.tree()["teaching"]
                            : Json::array();
     for (std::size_t i = 0; i < steps.size(); ++i) {
-        drawStep(parts, steps[i], i);
+        drawStep(parts, steps[i], i, steps.size());
     }
     drawAddStep(parts);
 }

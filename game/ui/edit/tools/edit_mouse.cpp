@@ -196,6 +196,7 @@ void EditMouse::clickCorner(EditParts& parts) {
 
 void EditMouse::press(EditParts& parts) {
     pressedAt_ = parts.pointer.screen;
+    pressedTwice_ = parts.pointer.twice;
     gesture_ = {};
     stepsBefore_ = parts.document.done();
     if (!parts.partInHand.empty()) {

@@ -75,9 +75,10 @@ private:
     std::string from_;
     std::string hovered_;
     std::string refused_;
-    std::string clicked_; // the object that was pressed
-    Vec2 anchor_;         // of the object that is dragged, m
-    edit::Json before_;   // the tree before the gesture
+    std::string clicked_;       // the object that was pressed
+    bool pressedTwice_ = false; // the second press of a double click
+    Vec2 anchor_;               // of the object that is dragged, m
+    edit::Json before_;         // the tree before the gesture
     edit::Gesture gesture_;
     std::size_t stepsBefore_ = 0;
     bool tookPart_ = false;

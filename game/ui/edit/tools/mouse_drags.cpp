@@ -155,10 +155,16 @@ void EditMouse::releaseConnecting(EditParts& parts) {
 void EditMouse::release(EditParts& parts) {
     switch (std::exchange(doing_, Doing::nothing)) {
     case Doing::pressing: // a click without a drag
-        if (parts.pointer.twice) {
-            parts.tab = Tab::properties;
-        }
         parts.selection.set(edit::withGroups(parts.tree(), {clicked_}));
+        parts.selection.choosePiece("");
+        if (pressedTwice_) {
+            parts.tab = Tab::properties;
+            std::string const piece = pickPiece(parts, clicked_, parts.pointer.world);
+            if (!piece.empty()) {
+                parts.selection.set({clicked_}); // without its group
+                parts.selection.choosePiece(piece);
+            }
+        }
         break;
     case Doing::boxing:
         if (parts.pointer.strayed(pressedAt_) <= dragThreshold) {

@@ -85,10 +85,21 @@ void drawSelection(Canvas& canvas, EditParts const& parts, EditMouse const& mous
         return trembler::length(parts.pointer.world - at) < 12 * parts.pointer.pixel;
     };
     FactsReader const reader(*parts.world.world());
+    std::string const& piece = parts.selection.piece();
     for (std::string const& name : parts.selected()) {
         bool const locked = edit::isLocked(parts.tree(), name);
-        drawMarkOf(canvas, parts, reader, name,
-                   {.colour = locked ? palette::inkSoft : palette::accent, .pixels = 3, .alpha = 0.95F});
+        Stroke const whole{
+            .colour = locked ? palette::inkSoft : palette::accent, .pixels = 3, .alpha = 0.95F};
+        if (piece.empty()) {
+            drawMarkOf(canvas, parts, reader, name, whole);
+            continue;
+        }
+        // The others faintly: they are what is moved, the piece is what the panel is about.
+        drawMarkOf(canvas, parts, reader, name, {.colour = whole.colour, .pixels = 1.5F, .alpha = 0.45F});
+        ObjectId const id = parts.world.world()->store().find(name + " " + piece);
+        if (id.valid() && reader.of(id).visible()) {
+            outlineObject(canvas, reader.of(id), poseOf(reader.of(id)), whole);
+        }
     }
     bool const dragging = mouse.doing() == EditMouse::Doing::moving;
     auto const handles = parts.tool == Tool::select && !dragging ? handlesOf(parts) : std::nullopt;

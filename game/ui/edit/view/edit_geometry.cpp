@@ -4,7 +4,9 @@
 #include "puzzle/edit/commands/connect.hpp"
 #include "puzzle/edit/commands/editor_state.hpp"
 #include "puzzle/edit/commands/goals.hpp"
+#include "puzzle/edit/commands/objects.hpp"
 #include "puzzle/edit/tree/entry_pieces.hpp"
+#include "puzzle/edit/tree/part_statements.hpp"
 #include "puzzle/edit/tree/tree_access.hpp"
 #include "render/scene/objects/wires.hpp"
 
@@ -46,6 +48,43 @@ std::optional<Area> areaFrom(edit::Json const& value) {
     return area;
 }
 
+/// An object of the world and the entry that it belongs to; both empty for none.
+struct Picked {
+    std::string object;
+    std::string entry;
+};
+
+/// The topmost one under a point that is not locked.
+Picked pickThing(EditParts const& parts, Vec2 at) {
+    World const* const world = parts.world.world();
+    if (world == nullptr) {
+        return {};
+    }
+    double const reach = sceneReach * parts.pointer.pixel;
+    Picked nearest;
+    double best = reach;
+    auto const order = FactsReader(*world).drawOrder();
+    for (auto facts = order.rbegin(); facts != order.rend(); ++facts) {
+        double const distance = distanceTo(*facts, parts.scene.poseOf(*world, facts->id), toPoint(at));
+        if (distance > reach) {
+            continue;
+        }
+        std::string const object(world->store().nameOf(facts->id));
+        std::string const entry = edit::entryOfObject(*parts.data, parts.tree(), object);
+        if (edit::isLocked(parts.tree(), entry)) {
+            continue;
+        }
+        if (distance <= 0) {
+            return {object, entry};
+        }
+        if (distance < best) {
+            best = distance;
+            nearest = {object, entry};
+        }
+    }
+    return nearest;
+}
+
 AboutSelection const& aboutSelection(EditParts const& parts) {
     AboutSelection& about = parts.about;
     if (about.known && about.revision == parts.document.revision() && about.names == parts.selected()) {
@@ -64,33 +103,24 @@ AboutSelection const& aboutSelection(EditParts const& parts) {
 } // namespace
 
 std::string pickObject(EditParts const& parts, Vec2 at) {
-    World const* const world = parts.world.world();
-    if (world == nullptr) {
+    return pickThing(parts, at).entry;
+}
+
+std::string pickPiece(EditParts const& parts, std::string const& entry, Vec2 at) {
+    Picked const picked = pickThing(parts, at);
+    if (picked.entry != entry || picked.object.size() <= entry.size() + 1) {
         return {};
     }
-    double const reach = sceneReach * parts.pointer.pixel;
-    std::string nearest;
-    double best = reach;
-    auto const order = FactsReader(*world).drawOrder();
-    for (auto facts = order.rbegin(); facts != order.rend(); ++facts) {
-        double const distance = distanceTo(*facts, parts.scene.poseOf(*world, facts->id), toPoint(at));
-        if (distance > reach) {
-            continue;
-        }
-        std::string const name =
-            edit::entryOfObject(*parts.data, parts.tree(), world->store().nameOf(facts->id));
-        if (edit::isLocked(parts.tree(), name)) {
-            continue;
-        }
-        if (distance <= 0) {
-            return name;
-        }
-        if (distance < best) {
-            best = distance;
-            nearest = name;
+    edit::PartStatements ofParts(*parts.data);
+    edit::Json const* const stated = edit::findObject(parts.tree(), entry);
+    std::string const part = stated == nullptr ? std::string() : edit::textOf(*stated, "part");
+    std::string const name = picked.object.substr(entry.size() + 1);
+    for (edit::InspectedPiece const& piece : edit::inspectPieces(*parts.data, parts.tree(), {entry})) {
+        if (ofParts.pieceNamed(part, piece.name) == name) {
+            return piece.main && !piece.stated ? std::string() : piece.name;
         }
     }
-    return nearest;
+    return {};
 }
 
 std::vector<std::string> objectsWithin(EditParts const& parts, Vec2 a, Vec2 b) {

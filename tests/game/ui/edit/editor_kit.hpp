@@ -47,6 +47,29 @@ public:
         return {};
     }
     void select(Vec2 at) { click(on(at)); }
+    /// A level with this text, in the test's own folder, opened.
+    void editText(std::string const& level) {
+        auto const file = testFolder() / "edited.json";
+        std::ofstream(file) << level;
+        app().edit(file);
+        frames(4);
+    }
+    void doubleClick(Point at) {
+        click(at);
+        for (bool const down : {true, false}) {
+            render::pushMouseButton(window(), MouseButton::Left, down, at, 2);
+            frame();
+        }
+        frame();
+    }
+    /// Scrolls the panel from its top until the item is in sight.
+    void seek(std::string const& item) {
+        moveTo(layout().card("panel")->middle());
+        for (int i = 0; i < 60; ++i) {
+            wheel(1);
+        }
+        scrollTo("panel", item);
+    }
     void ctrl(SDL_Keycode letter) { key(letter, KMOD_LCTRL); }
     void typeText(std::string const& text) {
         render::pushText(window(), text);

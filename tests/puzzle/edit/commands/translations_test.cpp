@@ -92,6 +92,31 @@ TEST(Translations, FollowTheIdsOfGoals) {
     EXPECT_TRUE(find(level, Of::goal, 0, "").missing) << "without an id it cannot be translated";
 }
 
+TEST(Translations, StayWithOtherGoalsOfTheSameId) {
+    Json level = spoken();
+    level = after(level, setDemonstration(level, true));
+    level = after(level, addGoal(level, "", newCondition("moved", {"ball"}), GoalTree::task));
+    level = after(level, setGoalOption(level, "", "id", "rest", GoalTree::task));
+    level = after(level, setGoalOption(level, "/all/0", "id", "rest"));
+    level = after(level, translateGoal(level, "de", "rest", "Lass sie ruhen"));
+    level = after(level, setGoalOption(level, "", "id", "throw", GoalTree::task));
+    EXPECT_EQ(level["texts"]["de"]["goals"]["rest"], "Lass sie ruhen") << "the other goal still has that id";
+    EXPECT_EQ(level["texts"]["de"]["goals"]["throw"], "Lass sie ruhen");
+    level = after(level, setGoalOption(level, "/all/0", "id", "still"));
+    EXPECT_FALSE(level["texts"]["de"]["goals"].contains("rest"));
+}
+
+TEST(Translations, StayWhenAGoalLosesItsId) {
+    for (Json const& none : {Json(), Json("")}) {
+        Json level = spoken();
+        level = after(level, setGoalOption(level, "/all/0", "id", "rest"));
+        level = after(level, translateGoal(level, "de", "rest", "Lass sie ruhen"));
+        level = after(level, setGoalOption(level, "/all/0", "id", none));
+        EXPECT_EQ(level["texts"]["de"]["goals"], (Json{{"rest", "Lass sie ruhen"}})) << none;
+        EXPECT_TRUE(find(level, Of::goal, 0, "rest").lost);
+    }
+}
+
 TEST(Translations, OfTheTaskBelongToIt) {
     Json level = spoken();
     EXPECT_NE(refusalOf([&] { return addGoal(level, "", newCondition("moved", {"ball"}), GoalTree::task); }),

@@ -9,6 +9,8 @@
 
 #include <rapidcheck.h>
 
+#include <algorithm>
+
 namespace trembler::render::test {
 namespace {
 
@@ -89,6 +91,36 @@ TEST(SceneWires, ACableHangsBetweenItsObjectsAndIsFoundThere) {
     Link const found = pickWire(stage.world, middle, 0.02);
     EXPECT_TRUE((found.a == a.id && found.b == b.id) || (found.a == b.id && found.b == a.id));
     EXPECT_FALSE(pickWire(stage.world, middle + Point{0.3, -0.3}, 0.02).a.valid());
+}
+
+TEST(SceneWires, OfWhatTurnsLeaveThroughItsAxle) {
+    for (bool const limited : {false, true}) {
+        ExperimentStage stage;
+        Store& store = stage.world.store();
+        Vec2 const pivot{1.7, 0.4};
+        auto const join = [&](std::string const& name, Joint const& joint) {
+            store.column<Joint>().set(store.create(name), joint);
+        };
+        ObjectId const hub = stage.id["metal object"];
+        join("axle", {.form = JointForm::hinge, .a = hub, .at = pivot, .limited = limited});
+        join("first weld", {.form = JointForm::weld, .a = stage.id["object 3"], .b = hub});
+        join("second weld", {.form = JointForm::weld, .a = hub, .b = stage.id["object 4"]});
+        FactsReader const reader(stage.world);
+        auto const passes = [&](std::string const& a, std::string const& b) {
+            Facts const first = reader.of(stage.id[a]);
+            Facts const second = reader.of(stage.id[b]);
+            std::vector<Point> const path = cablePath(first, poseOf(first), second, poseOf(second));
+            EXPECT_LE(distanceTo(*first.shape, toLocal(poseOf(first), path.front())), 1e-9);
+            EXPECT_LE(distanceTo(*second.shape, toLocal(poseOf(second), path.back())), 1e-9);
+            return std::any_of(path.begin(), path.end(), [&](Point at) {
+                return length(at - Point{pivot.x, pivot.y}) < 1e-9;
+            });
+        };
+        EXPECT_EQ(passes("object 3", "electromagnet"), !limited);
+        EXPECT_EQ(passes("electromagnet", "object 4"), !limited);
+        EXPECT_FALSE(passes("object 1", "electromagnet"));
+        EXPECT_FALSE(passes("object 3", "object 4")) << "both turn with it";
+    }
 }
 
 TEST(SceneWires, ContactsAreNoCables) {

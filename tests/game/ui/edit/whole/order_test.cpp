@@ -1,0 +1,149 @@
+// The order of toolbox and solutions is changed in the editor, by mouse and by keyboard.
+#include "tests/game/ui/edit/editor_kit.hpp"
+
+#include <imgui_internal.h>
+
+namespace trembler::ui::test {
+namespace order_test {
+namespace {
+
+char const* const orderedLevel = R"({"version": 2, "title": "Order",
+    "world": {"gravity": [0, -9.81], "bounds": [-4, -0.5, 8, 4.5]},
+    "objects": [
+        {"name": "floor", "at": [0, -0.15], "properties": {"material": "stone", "fixed": true,
+         "shape": [{"form": "box", "width": 7.6, "height": 0.3}]}},
+        {"name": "ball", "part": "rubber ball", "at": [0, 1]}],
+    "toolbox": [{"part": "plank", "count": 2}, {"wire": 3}, {"part": "steel ball", "count": 1}],
+    "goals": {"moved": {"object": "ball", "by": 1}},
+    "solutions": [
+        {"name": "one", "expect": "unsolved", "frames": 10},
+        {"name": "two", "expect": "unsolved", "frames": 20},
+        {"name": "three", "expect": "unsolved", "frames": 30}]})";
+
+std::string toolsOf(Designer& designer) {
+    std::string all;
+    for (auto const& tool : designer.tree()["toolbox"]) {
+        all += (tool.contains("wire") ? "wire" : tool["part"].get<std::string>()) + ", ";
+    }
+    return all;
+}
+
+std::string solutionsOf(Designer& designer) {
+    std::string all;
+    for (auto const& solution : designer.tree()["solutions"]) {
+        all += solution["name"].get<std::string>() + ", ";
+    }
+    return all;
+}
+
+/// Whether the keyboard's ring is on an item of the panel.
+bool ringIsOn(Designer& designer, std::string const& item) {
+    ImGuiContext const& context = *ImGui::GetCurrentContext();
+    auto const rect = designer.layout().item(item);
+    if (context.NavWindow == nullptr || !rect) {
+        return false;
+    }
+    ImRect const ring =
+        ImGui::WindowRectRelToAbs(context.NavWindow, context.NavWindow->NavRectRel[ImGuiNavLayer_Main]);
+    return rect->contains({ring.GetCenter().x, ring.GetCenter().y});
+}
+
+/// Moves the ring down to the row of an item, then right to it.
+void ringTo(Designer& designer, std::string const& item) {
+    auto const inRow = [&] {
+        ImGuiContext const& context = *ImGui::GetCurrentContext();
+        auto const rect = designer.layout().item(item);
+        if (context.NavWindow == nullptr || !rect) {
+            return false;
+        }
+        ImRect const ring =
+            ImGui::WindowRectRelToAbs(context.NavWindow, context.NavWindow->NavRectRel[ImGuiNavLayer_Main]);
+        return ring.GetCenter().y > rect->low.y && ring.GetCenter().y < rect->high.y;
+    };
+    for (int i = 0; i < 80 && !inRow(); ++i) {
+        designer.key(SDLK_DOWN);
+        designer.frames(2);
+    }
+    for (int i = 0; i < 8 && !ringIsOn(designer, item); ++i) {
+        designer.key(SDLK_RIGHT);
+        designer.frames(2);
+    }
+    ASSERT_TRUE(ringIsOn(designer, item)) << item;
+}
+
+TEST(EditorOrder, OfTheToolboxByMouse) {
+    Designer designer;
+    designer.editText(orderedLevel);
+    std::string const before = designer.parts().document.text();
+    designer.key(SDLK_F6);
+    designer.frames(3);
+    designer.seek("tool 2 up");
+    designer.look("edit-order-tools");
+    designer.clickItem("tool 0 down");
+    EXPECT_EQ(toolsOf(designer), "wire, plank, steel ball, ");
+    EXPECT_EQ(designer.parts().document.undoName(), "Move part in the toolbox");
+    designer.frames(2);
+    designer.clickItem("tool 2 up");
+    EXPECT_EQ(toolsOf(designer), "wire, steel ball, plank, ");
+    designer.frames(2);
+    designer.clickItem("tool 2 down");
+    EXPECT_EQ(toolsOf(designer), "wire, steel ball, plank, ") << "it is the last one";
+    designer.clickItem("tool 0 remove");
+    EXPECT_EQ(toolsOf(designer), "steel ball, plank, ") << "wires can be taken out as well";
+    designer.ctrl(SDLK_z);
+    designer.ctrl(SDLK_z);
+    designer.ctrl(SDLK_z);
+    EXPECT_EQ(designer.parts().document.text(), before);
+}
+
+TEST(EditorOrder, OfSolutionsByMouse) {
+    Designer designer;
+    designer.editText(orderedLevel);
+    std::string const before = designer.parts().document.text();
+    designer.key(SDLK_F7);
+    designer.frames(3);
+    designer.look("edit-order-solutions");
+    designer.clickItem("solution 0 down");
+    EXPECT_EQ(solutionsOf(designer), "two, one, three, ");
+    EXPECT_EQ(designer.parts().document.undoName(), "Move solution");
+    designer.frames(2);
+    designer.clickItem("solution 1 down");
+    EXPECT_EQ(solutionsOf(designer), "two, three, one, ");
+    designer.frames(2);
+    designer.clickItem("solution 0 up");
+    EXPECT_EQ(solutionsOf(designer), "two, three, one, ") << "it is the first one";
+    designer.drag(designer.item("solution 0 frames"), designer.item("solution 0 frames") + Point{60, 0});
+    EXPECT_GT(designer.tree()["solutions"][0]["frames"].get<int>(), 20);
+    designer.parts().document.goTo(0);
+    EXPECT_EQ(designer.parts().document.text(), before);
+}
+
+TEST(EditorOrder, ByKeyboardTheRingStaysWithWhatIsMoved) {
+    Designer designer;
+    designer.editText(orderedLevel);
+    designer.key(SDLK_F7);
+    designer.frames(2);
+    designer.key(SDLK_F9);
+    designer.frames(3);
+    ringTo(designer, "solution 0 down");
+    designer.key(SDLK_SPACE);
+    designer.frames(3);
+    EXPECT_EQ(solutionsOf(designer), "two, one, three, ");
+    EXPECT_TRUE(ringIsOn(designer, "solution 1 down"));
+    designer.key(SDLK_SPACE);
+    designer.frames(3);
+    EXPECT_EQ(solutionsOf(designer), "two, three, one, ");
+    designer.key(SDLK_ESCAPE);
+    designer.key(SDLK_F6);
+    designer.frames(2);
+    designer.key(SDLK_F9);
+    designer.frames(3);
+    ringTo(designer, "tool 0 down");
+    designer.key(SDLK_SPACE);
+    designer.frames(3);
+    EXPECT_EQ(toolsOf(designer), "wire, plank, steel ball, ");
+}
+
+} // namespace
+} // namespace order_test
+} // namespace trembler::ui::test

@@ -1,0 +1,81 @@
+// The button by which the inspector asks why its object is as it is, with real input events.
+#include "game/ui/app/settings_page.hpp"
+#include "game/ui/play/why/why_panel.hpp"
+#include "tests/game/ui/player.hpp"
+#include "tests/game/ui/tidy.hpp"
+
+namespace trembler::ui::test {
+namespace inspector_why_test {
+namespace {
+
+auto const experiment = levelsFolder() / "experiments/1-switched-electromagnet.json";
+
+Point placeOfMagnet(Player& player) {
+    World const& world = player.session().world();
+    return player.at(world.find<Position>(world.store().find("electromagnet"))->value);
+}
+
+/// Opens the inspector on the electromagnet of a paused run.
+void inspectMagnet(Player& player) {
+    player.open(experiment);
+    player.key(SDLK_SPACE);
+    player.simulate(64);
+    player.key(SDLK_p);
+    player.click(placeOfMagnet(player));
+    player.frames(3);
+    ASSERT_TRUE(player.showsCard("inspector"));
+}
+
+std::vector<std::string> answered(Player& player) {
+    player.play().why().wait();
+    player.frames(3);
+    return player.play().why().lines();
+}
+
+TEST(InspectorWhy, GivesTheAnswerThatTheKeyGives) {
+    Player player;
+    inspectMagnet(player);
+    player.look("why-inspector");
+    player.clickItem("why object");
+    std::vector<std::string> const byMouse = answered(player);
+    ASSERT_FALSE(byMouse.empty());
+    EXPECT_TRUE(player.showsCard("why"));
+    EXPECT_FALSE(player.showsCard("inspector")) << "the answer stands in its place";
+    expectTidy(player, "asked by mouse");
+    player.clickItem("close why");
+    player.moveTo(placeOfMagnet(player));
+    player.frames(2);
+    player.key(SDLK_y);
+    EXPECT_EQ(answered(player), byMouse);
+}
+
+TEST(InspectorWhy, NeedsARun) {
+    Player player;
+    player.open(experiment);
+    player.frames(2);
+    player.click(placeOfMagnet(player));
+    player.frames(3);
+    ASSERT_TRUE(player.showsCard("inspector"));
+    EXPECT_FALSE(player.shows("why object")) << "nothing has happened yet";
+}
+
+TEST(InspectorWhy, FitsInEveryWindowInGerman) {
+    for (render::Size const size :
+         {render::Size{800, 600}, render::Size{1280, 720}, render::Size{3840, 2160}}) {
+        Player player(size);
+        changeSettings(player.app().context(), {.reducedMotion = true, .language = "de"});
+        inspectMagnet(player);
+        auto const card = player.layout().card("inspector");
+        auto const button = player.layout().item("why object");
+        auto const close = player.layout().item("close inspector");
+        ASSERT_TRUE(card && button && close) << size.width;
+        EXPECT_TRUE(card->contains(button->low) && card->contains(button->high)) << size.width;
+        EXPECT_FALSE(button->overlaps(*close)) << size.width;
+        expectTidy(player, "inspector at " + std::to_string(size.width));
+        player.look("why-inspector-" + std::to_string(size.width));
+    }
+}
+
+} // namespace
+} // namespace inspector_why_test
+} // namespace trembler::ui::test
