@@ -83,7 +83,7 @@ protected:
 
 TEST_F(FitOfOwnRings, OverlapOnlyIfSpringsHoldBoth) {
     EXPECT_TRUE(fits("sprung", "sprung"));
-    for (std::string const rigid : {"welded", "both", "loose"}) {
+    for (char const* const rigid : {"welded", "both", "loose"}) {
         EXPECT_FALSE(fits("sprung", rigid)) << rigid;
         EXPECT_FALSE(fits(rigid, "sprung")) << rigid;
         EXPECT_FALSE(fits(rigid, rigid)) << rigid;
