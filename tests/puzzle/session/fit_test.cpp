@@ -70,10 +70,10 @@ protected:
     [[nodiscard]] bool fits(std::string const& part, std::string const& there) const {
         LevelFile level = readLevel(
             gameData().registry,
-            JsonDocument::parse(R"({"version": 2, "title": "t", "objects": [{"name": "there", "at": [0, 0], "part": ")" +
-                                    there + R"("}], "toolbox": [{"part": ")" + part +
-                                    R"(", "count": 1}]})",
-                                "level.json"));
+            JsonDocument::parse(
+                R"({"version": 2, "title": "t", "objects": [{"name": "there", "at": [0, 0], "part": ")" +
+                    there + R"("}], "toolbox": [{"part": ")" + part + R"(", "count": 1}]})",
+                "level.json"));
         Session session(gameData().registry, parts, std::move(level));
         return session.check({part, {0.8, 0}, 0, ""}).ok;
     }
