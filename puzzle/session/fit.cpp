@@ -11,6 +11,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <vector>
 
 namespace trembler {
 namespace {
@@ -19,41 +21,74 @@ CollisionGroups groupsOf(CollisionGroups const* stated) {
     return stated == nullptr ? CollisionGroups{} : *stated;
 }
 
-/// Whether joints hold it, all of them springs.
+/// Whether the joints that it was shown hold an object, all of them as springs.
+class SpringsOnly {
+public:
+    void see(Joint const& joint) {
+        held_ = true;
+        springs_ = springs_ && joint.form == JointForm::spring;
+    }
+    [[nodiscard]] bool yes() const { return held_ && springs_; }
+
+private:
+    bool held_ = false;
+    bool springs_ = true;
+};
+
 bool onSpringsOnly(World const& world, ObjectId id) {
-    auto const* const joints = world.store().findColumn<Joint>();
-    bool held = false;
-    bool springs = true;
-    if (joints != nullptr) {
+    SpringsOnly hold;
+    if (auto const* const joints = world.store().findColumn<Joint>()) {
         forEach(
             [&](ObjectId, Joint const& joint) {
                 if (joint.a == id || joint.b == id) {
-                    held = true;
-                    springs = springs && joint.form == JointForm::spring;
+                    hold.see(joint);
                 }
             },
             *joints);
     }
-    return held && springs;
+    return hold.yes();
 }
 
-/// Whether two shapes are of one kind that hits nothing but its own kind and hangs on springs, as the contact
-/// rings of two cogs: those are there to be pressed together, and give way.
-bool giveWay(World const& world, ObjectId id, CollisionGroups const& there,
-             CollisionGroups const& candidate) {
-    bool const apart = there.category == there.mask && (there.category & CollisionGroups{}.category) == 0;
-    return apart && there.group == 0 && candidate == there && onSpringsOnly(world, id);
+/// The same of a piece of a part that is to be placed.
+bool onSpringsOnly(PartLibrary const& parts, Placement const& placement, std::size_t piece) {
+    SpringsOnly hold;
+    for (PropertySet const& properties : placedJoints(parts, placement)) {
+        Joint const* const joint = properties.find<Joint>();
+        if (joint != nullptr && (joint->a.index == piece || joint->b.index == piece)) {
+            hold.see(*joint);
+        }
+    }
+    return hold.yes();
+}
+
+/// Whether it hits nothing but its own kind, as the contact rings of cogs.
+bool hitsItsKindOnly(CollisionGroups const& groups) {
+    return groups.group == 0 && groups.category == groups.mask &&
+           (groups.category & CollisionGroups{}.category) == 0;
+}
+
+/// A piece of the part that is to be placed.
+struct FittingPiece {
+    PlacedShape shape;
+    CollisionGroups groups;
+    bool sprung; ///< whether it may press on its own kind, as both give way
+};
+
+/// Whether two shapes are of one kind that hits nothing but its own kind, and both hang on springs, as the
+/// contact rings of two cogs: those are there to be pressed together, and give way.
+bool giveWay(World const& world, ObjectId id, CollisionGroups const& there, FittingPiece const& candidate) {
+    return candidate.sprung && candidate.groups == there && onSpringsOnly(world, id);
 }
 
 /// Names the object that one shape would overlap.
-std::optional<std::string> overlapped(World const& world, PlacedShape const& candidate,
-                                      CollisionGroups const& groups, std::span<ObjectId const> ignored) {
+std::optional<std::string> overlapped(World const& world, FittingPiece const& candidate,
+                                      std::span<ObjectId const> ignored) {
     auto const* const shapes = world.store().findColumn<Shape>();
     auto const* const positions = world.store().findColumn<Position>();
     if (shapes == nullptr || positions == nullptr) {
         return {};
     }
-    auto const [lowest, highest] = extentOf(candidate);
+    auto const [lowest, highest] = extentOf(candidate.shape);
     Vec2 const lower = lowest; // clang 14 lets no lambda use the names above
     Vec2 const upper = highest;
     std::optional<std::string> why;
@@ -63,15 +98,15 @@ std::optional<std::string> overlapped(World const& world, PlacedShape const& can
                 return;
             }
             CollisionGroups const otherGroups = groupsOf(world.find<CollisionGroups>(id));
-            if (!canHit(groups, otherGroups) || world.find<Liquid>(id) != nullptr) {
+            if (!canHit(candidate.groups, otherGroups) || world.find<Liquid>(id) != nullptr) {
                 return; // nothing can collide with a board in the background, or with water
             }
             Rotation const* const rotation = world.find<Rotation>(id);
             PlacedShape const there{other, position.value, rotation == nullptr ? 0 : rotation->angle};
             auto const [low, high] = extentOf(there);
             bool const near = low.x < upper.x && lower.x < high.x && low.y < upper.y && lower.y < high.y;
-            if (near && overlap(candidate, there, allowedOverlap) &&
-                !giveWay(world, id, otherGroups, groups)) {
+            if (near && overlap(candidate.shape, there, allowedOverlap) &&
+                !giveWay(world, id, otherGroups, candidate)) {
                 std::string const name = world.store().nameOf(id);
                 bool const numbered = !name.empty() && name.back() >= '0' && name.back() <= '9';
                 why = numbered ? fmt::format("it would overlap {}", name) // "spanner 1"
@@ -86,16 +121,20 @@ std::optional<std::string> overlapped(World const& world, PlacedShape const& can
 
 std::optional<std::string> whyItDoesNotFit(World const& world, PartLibrary const& parts,
                                            Placement const& placement, std::span<ObjectId const> ignored) {
-    for (PlacedPiece const& piece : placedPieces(parts, placement)) {
+    std::vector<PlacedPiece> const pieces = placedPieces(parts, placement);
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        PlacedPiece const& piece = pieces[i];
         Shape const* const shape = piece.properties.find<Shape>();
         Position const* const position = piece.properties.find<Position>();
         Rotation const* const rotation = piece.properties.find<Rotation>();
         if (shape == nullptr || position == nullptr) {
             continue;
         }
-        PlacedShape const candidate{*shape, position->value, rotation == nullptr ? 0 : rotation->angle};
-        CollisionGroups const groups = groupsOf(piece.properties.find<CollisionGroups>());
-        if (auto why = overlapped(world, candidate, groups, ignored)) {
+        FittingPiece candidate{{*shape, position->value, rotation == nullptr ? 0 : rotation->angle},
+                               groupsOf(piece.properties.find<CollisionGroups>()),
+                               false};
+        candidate.sprung = hitsItsKindOnly(candidate.groups) && onSpringsOnly(parts, placement, i);
+        if (auto why = overlapped(world, candidate, ignored)) {
             return why;
         }
     }

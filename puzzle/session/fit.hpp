@@ -16,9 +16,9 @@ namespace trembler {
 inline constexpr double allowedOverlap = 0.01;
 
 /// Names the object that a part would overlap in the present world, in words for the player; nothing if the
-/// part fits; of a composite, all of its pieces must. The contact rings of two cogs, which springs press
-/// together, may overlap. Objects in `ignored`, for example those of the part itself while it is being moved,
-/// do not count.
+/// part fits; of a composite, all of its pieces must. Two contact rings, such as those of cogs, may overlap
+/// if springs and nothing else hold both. Objects in `ignored`, for example those of the part itself while it
+/// is being moved, do not count.
 [[nodiscard]] std::optional<std::string> whyItDoesNotFit(World const& world, PartLibrary const& parts,
                                                          Placement const& placement,
                                                          std::span<ObjectId const> ignored);

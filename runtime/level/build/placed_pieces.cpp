@@ -1,11 +1,30 @@
 #include "runtime/level/build/placed_pieces.hpp"
 
 #include "runtime/level/build/part_expander.hpp"
+#include "runtime/level/build/references.hpp"
 #include "runtime/placement.hpp"
+
+#include <fmt/format.h>
 
 #include <utility>
 
 namespace trembler {
+namespace {
+
+/// Calls `use` with what a placement becomes, unless its pieces cannot be made.
+template <class Use>
+void withObjectsOf(PartLibrary const& library, Placement const& placement, Use const& use) {
+    bool whole = true;
+    PartExpander expander(library, [&](auto const&...) { whole = false; });
+    LevelObject const entry = entryOf(placement, placement.part);
+    StatementScope const nowhere;
+    ExpandedEntry const expanded = expander.expand(entry, nowhere, StatedProperties::Form::placement);
+    if (whole) {
+        use(expanded);
+    }
+}
+
+} // namespace
 
 LevelObject entryOf(Placement const& placement, std::string name) {
     LevelObject entry;
@@ -34,21 +53,46 @@ EntryNames namesOf(PartLibrary const& library, LevelObject const& entry) {
 }
 
 std::vector<PlacedPiece> placedPieces(PartLibrary const& library, Placement const& placement) {
-    bool whole = true;
-    PartExpander expander(library, [&](auto const&...) { whole = false; });
-    LevelObject const entry = entryOf(placement, placement.part);
-    StatementScope const nowhere;
-    ExpandedEntry const expanded = expander.expand(entry, nowhere, StatedProperties::Form::placement);
     std::vector<PlacedPiece> pieces;
-    for (std::size_t i = 0; whole && i < expanded.objects.size(); ++i) {
-        MadeObject const& made = expanded.objects[i];
-        if (!made.joint) {
-            std::size_t const own = expanded.aliases.empty() ? 0 : entry.name.size() + 1;
-            pieces.push_back(
-                {made.name.substr(made.name.size() > own ? own : 0), made.properties(), i == expanded.main});
+    withObjectsOf(library, placement, [&](ExpandedEntry const& expanded) {
+        std::size_t const own = expanded.aliases.empty() ? 0 : placement.part.size() + 1;
+        for (std::size_t i = 0; i < expanded.objects.size(); ++i) {
+            MadeObject const& made = expanded.objects[i];
+            if (!made.joint) {
+                pieces.push_back({made.name.substr(made.name.size() > own ? own : 0), made.properties(),
+                                  i == expanded.main});
+            }
         }
-    }
+    });
     return pieces;
+}
+
+std::vector<PropertySet> placedJoints(PartLibrary const& library, Placement const& placement) {
+    std::vector<PropertySet> joints;
+    withObjectsOf(library, placement, [&](ExpandedEntry const& expanded) {
+        Store names; // has nothing but these: references are resolved as in a world
+        std::vector<ObjectId> ids;
+        for (std::size_t i = 0; i < expanded.objects.size(); ++i) {
+            ids.push_back(names.create(fmt::format("/{}", i))); // unique, whatever the part's file says
+        }
+        for (std::size_t i = 0; i < expanded.objects.size(); ++i) {
+            names.alias(expanded.objects[i].name, ids[i]);
+        }
+        for (auto const& [alias, name] : expanded.aliases) {
+            names.alias(alias, names.find(name));
+        }
+        for (MadeObject const& made : expanded.objects) {
+            if (made.joint) {
+                PropertySet properties = made.properties();
+                for (PropertySet::Entry const& entry : properties.entries()) {
+                    StatementScope const& scope = *made.determining(*entry.info)->scope;
+                    static_cast<void>(resolveReferences(*entry.value, *scope.names, names, scope.prefix));
+                }
+                joints.push_back(std::move(properties));
+            }
+        }
+    });
+    return joints;
 }
 
 } // namespace trembler

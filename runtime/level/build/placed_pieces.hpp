@@ -21,6 +21,9 @@ struct PlacedPiece {
 /// The objects of a placement, joints left out. Empty if there is no such part, or if its pieces cannot be
 /// made, see checkComposites().
 [[nodiscard]] std::vector<PlacedPiece> placedPieces(PartLibrary const& library, Placement const& placement);
+/// The joints of a placement, in the world's frame; empty if it has none or cannot be made. An object that
+/// they refer to has the index that it has in placedPieces(), a joint one of the indices after those.
+[[nodiscard]] std::vector<PropertySet> placedJoints(PartLibrary const& library, Placement const& placement);
 
 /// The names of the objects that an entry becomes, as Origin::piece counts them.
 struct EntryNames {

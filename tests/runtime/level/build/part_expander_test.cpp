@@ -243,6 +243,18 @@ TEST_F(Composite, PiecesAreKnownBeforeThereIsAWorld) {
     EXPECT_TRUE(placedPieces(library, {"fork", {1, 0}, 0, ""}).empty());
 }
 
+TEST_F(Composite, JointsOfAPlacementReferToItsPieces) {
+    std::vector<PropertySet> const joints = placedJoints(library, {"tray", {1, 0}, 0, "", true});
+    ASSERT_EQ(joints.size(), 1U);
+    auto const* const knot = joints[0].find<sample::Knot>();
+    ASSERT_NE(knot, nullptr);
+    EXPECT_EQ(knot->a.index, 0U) << "the cup is its bowl";
+    EXPECT_EQ(knot->b.index, 2U) << "the plate";
+    EXPECT_EQ(knot->strength, 3);
+    EXPECT_TRUE(placedJoints(library, {"spoon", {1, 0}, 0, ""}).empty());
+    EXPECT_TRUE(placedJoints(library, {"fork", {1, 0}, 0, ""}).empty());
+}
+
 TEST_F(Composite, LevelsWithThemAreWrittenAsTheyAreRead) {
     LevelFile const file = level(R"({"name": "t", "part": "tray", "flipped": true,
         "pieces": {"cup": {"tag": true, "cake": false}}})");
