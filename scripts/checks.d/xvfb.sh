@@ -2,11 +2,10 @@
 # Plays in a window on a screen, as players have it, where other tests draw into a picture: with the mouse, with the
 # keyboard, with a gamepad, and while the window changes its size. The screen is one of Xvfb's, which nobody sees.
 set -euo pipefail
-for program in {build,build-asan}/tests/test_game_ui; do
-    if [[ -x $program ]]; then
-        break
-    fi
-done
+program=build/tests/test_game_ui # the newer one: ./check builds that of the stage asan, ./check --fast the other
+if [[ build-asan/tests/test_game_ui -nt $program ]]; then
+    program=build-asan/tests/test_game_ui
+fi
 if [[ ! -x $program ]]; then
     echo "build/tests/test_game_ui has not been built, nor that of the stage asan"
     exit 77

@@ -41,7 +41,8 @@ int main(int count, char** arguments) try {
     }
     std::ifstream file(stated.front());
     std::string page{std::istreambuf_iterator<char>(file), {}};
-    put(page, "first", ""); // refuses another page at once, and not after minutes of plays
+    std::string probe = page;
+    put(probe, "first", ""); // refuses another page at once, and not after minutes of plays
     GameData const data;
     auto const compared = lua::analysis::compareAll(data, lua::analysis::comparedLevels(data), 100'000);
     for (auto const& comparison : compared) {

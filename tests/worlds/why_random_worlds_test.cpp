@@ -37,7 +37,9 @@ std::optional<LevelFile> readable(nlohmann::json level) {
         } catch (InputError const& error) {
             std::vector<std::string> paths;
             for (Diagnostic const& diagnostic : error.diagnostics()) {
-                paths.push_back(diagnostic.path);
+                if (diagnostic.file == "random world") { // and not a part's
+                    paths.push_back(diagnostic.path);
+                }
             }
             std::sort(paths.begin(), paths.end(), [](std::string const& one, std::string const& other) {
                 return one.size() != other.size() ? one.size() > other.size() : one > other;

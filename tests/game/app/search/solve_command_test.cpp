@@ -29,6 +29,17 @@ protected:
         }
         return all;
     }
+    /// Until the first finished run is in the journal; a minute at most, for a program that ended without
+    /// one.
+    static void waitUntilBegun(std::string const& journal) {
+        std::error_code none;
+        for (int i = 0; i < 6000; ++i) {
+            if (std::filesystem::file_size(journal, none) > 0 && !none) {
+                return;
+            }
+            ::usleep(10'000);
+        }
+    }
     std::string const good = levelFile("first/1-first-contact.json").string();
 };
 
@@ -64,11 +75,7 @@ TEST_F(SolveCommand, FindsTheSameAgainAndGoesOnFromAJournal) {
 TEST_F(SolveCommand, EndsWithWhatItHasWhenItIsInterrupted) {
     RunAs how;
     how.meanwhile = [this](int process) {
-        std::error_code error;
-        while (!std::filesystem::exists(at("journal.jsonl"), error) ||
-               std::filesystem::file_size(at("journal.jsonl"), error) == 0) {
-            ::usleep(10'000);
-        }
+        waitUntilBegun(at("journal.jsonl"));
         ::kill(process, SIGINT);
     };
     Ran const ran = runProgram(
@@ -129,11 +136,7 @@ TEST_F(SolveCommand, GoesOnWithManyLevelsFromAJournal) {
                                         "300",   "--compare", "--json", "--resume", at("j.jsonl")};
     RunAs how;
     how.meanwhile = [this](int process) { // in the middle of the first level, or later
-        std::error_code error;
-        while (!std::filesystem::exists(at("j.jsonl"), error) ||
-               std::filesystem::file_size(at("j.jsonl"), error) == 0) {
-            ::usleep(10'000);
-        }
+        waitUntilBegun(at("j.jsonl"));
         ::kill(process, SIGINT);
     };
     Ran const stopped = runProgram(many, how);
