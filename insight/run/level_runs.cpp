@@ -2,6 +2,7 @@
 
 #include "insight/run/contacts_left_out.hpp"
 #include "insight/run/reduced_level.hpp"
+#include "lua/attach/live_script.hpp"
 #include "lua/attach/register.hpp"
 #include "puzzle/data/effects.hpp"
 #include "puzzle/session/playback.hpp"
@@ -76,6 +77,25 @@ std::uint64_t LevelRuns::framesFor(Solution const& solution) {
     return solution.frames ? static_cast<std::uint64_t>(*solution.frames) : minute;
 }
 
+void LevelRuns::carryOver(lua::LiveScripts const& to, Problems& problems) const {
+    if (data_->scripts == nullptr) {
+        return;
+    }
+    for (auto const& live : data_->scripts->all()) {
+        lua::LiveScript* const own = to.find(live->name());
+        if (own == nullptr) {
+            continue;
+        }
+        std::string const& text = live->script().manifest.source;
+        if (text != own->script().manifest.source) {
+            if (auto version = to.read(*own, text, problems)) {
+                own->publish(std::move(version));
+            }
+        }
+        own->setOn(live->on());
+    }
+}
+
 Registry const& LevelRuns::registryWithout(std::set<std::string> const& effects) const {
     if (effects.empty()) {
         return registry_;
@@ -87,8 +107,10 @@ Registry const& LevelRuns::registryWithout(std::set<std::string> const& effects)
         registerEffects(*registry, effects);
         if (data_ != nullptr) {
             Problems problems;
-            (void)lua::registerMods(*registry, data_->mods, data_->scriptLog, problems);
+            auto const scripts = lua::registerMods(*registry, data_->mods, data_->scriptLog, problems);
             problems.throwIfAny(); // a script calls the effect
+            carryOver(*scripts, problems);
+            problems.throwIfAny();
         }
         made = std::move(registry);
     }

@@ -67,6 +67,9 @@ public:
     [[nodiscard]] static std::uint64_t framesFor(Solution const& solution);
 
 private:
+    /// The versions of scripts that count in the real run, in a registry that was made from the mods as they
+    /// were read.
+    void carryOver(lua::LiveScripts const& to, Problems& problems) const;
     [[nodiscard]] Registry const& registryWithout(std::set<std::string> const& effects) const;
 
     Registry const& registry_;

@@ -38,12 +38,11 @@ struct EventText {
     std::string_view main;
     std::string_view because;
 };
-constexpr std::array<EventText, 9> eventTexts{
+constexpr std::array<EventText, 8> eventTexts{
     {{"leaves the liquid", "{} comes out of {}", "because {} comes out of {}"},
      {"enters the air", "{} is in the air", "because {} is in the air"},
      {"leaves the air", "{} is no longer in the air", "because {} is no longer in the air"},
      {"blown", "{} blows", "because {} blows"},
-     {"joint overloaded", "{} is overloaded", "because {} is overloaded"},
      {"created", "{} comes into being", "because {} comes into being"},
      {"destroyed", "{} is gone", "because {} is gone"},
      {"turns fast enough", "{} turns fast enough", "because {} turns fast enough"},
@@ -152,6 +151,16 @@ Clauses clausesOf(Step const& step, SceneFacts const& facts, std::string const& 
                                  [&](KindText const& text) { return text.kind == step.kind; });
     if (at != kindTexts.end()) {
         return {tongue.say(at->main, objects), tongue.say(at->because, objects)};
+    }
+    if (step.what == "joint overloaded" &&
+        step.objects.size() > 1) { // the joint, which may have no name, and its bodies
+        std::vector<std::string> const bodies(step.objects.begin() + 1, step.objects.end());
+        if (bodies.size() == 1) {
+            return {tongue.say("the joint of {} is overloaded", bodies),
+                    tongue.say("because the joint of {} is overloaded", bodies)};
+        }
+        return {tongue.say("the joint of {} and {} is overloaded", bodies),
+                tongue.say("because the joint of {} and {} is overloaded", bodies)};
     }
     auto const known = std::find_if(eventTexts.begin(), eventTexts.end(),
                                     [&](EventText const& text) { return text.event == step.what; });

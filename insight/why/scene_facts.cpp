@@ -6,6 +6,10 @@
 #include "puzzle/goals/words/lamp.hpp"
 #include "runtime/placement.hpp"
 
+#include <cstdint>
+#include <numeric>
+#include <span>
+
 namespace trembler::insight {
 namespace {
 
@@ -20,23 +24,30 @@ std::set<std::string> ownersOf(Store const& store) {
     return names;
 }
 
-/// The objects that joints connect with one another, through others as well; fixed ones connect nothing.
-std::map<std::string, std::set<std::string>> tiedIn(Store const& store) {
-    std::map<std::string, std::set<std::string>> tied;
+/// Of each object that joints connect with others, through others as well, the number of its group; fixed
+/// objects connect nothing. O(joints), but for the names.
+std::map<std::string, std::size_t> tiedIn(Store const& store) {
+    std::vector<std::uint32_t> above(
+        store.objects().indexBound()); // a forest: the root is the group's number
+    std::iota(above.begin(), above.end(), 0U);
+    auto const rootOf = [&](std::uint32_t i) {
+        while (above[i] != i) {
+            i = above[i] = above[above[i]];
+        }
+        return i;
+    };
+    std::vector<ObjectId> ends;
     auto const* const joints = store.findColumn<Joint>();
     for (ObjectId const id : joints == nullptr ? std::span<ObjectId const>() : joints->owners()) {
         Joint const& joint = *joints->find(id);
-        if (!joint.b.valid() || store.has<Fixed>(joint.a) || store.has<Fixed>(joint.b)) {
-            continue;
+        if (joint.a.valid() && joint.b.valid() && !store.has<Fixed>(joint.a) && !store.has<Fixed>(joint.b)) {
+            above[rootOf(joint.a.index)] = rootOf(joint.b.index);
+            ends.insert(ends.end(), {joint.a, joint.b});
         }
-        std::string const a = store.nameOf(joint.a);
-        std::string const b = store.nameOf(joint.b);
-        std::set<std::string> all{a, b};
-        all.insert(tied[a].begin(), tied[a].end());
-        all.insert(tied[b].begin(), tied[b].end());
-        for (std::string const& name : all) {
-            tied[name] = all;
-        }
+    }
+    std::map<std::string, std::size_t> tied;
+    for (ObjectId const id : ends) {
+        tied.emplace(store.nameOf(id), rootOf(id.index));
     }
     return tied;
 }

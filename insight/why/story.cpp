@@ -95,7 +95,7 @@ private:
                 addImmersions(name, all[i]);
             }
         }
-        if (*kind == StepKind::liquid) {
+        if (*kind == StepKind::liquid && !event.objects.empty()) {
             immersed_[event.objects] = i;
         } else if (event.event == "leaves the liquid") {
             immersed_.erase(event.objects);
@@ -123,7 +123,10 @@ private:
         auto const tied = facts_.tied.find(name);
         for (auto const& [objects, event] : immersed_) {
             std::string const& dipped = objects.front();
-            if (dipped == name || (tied != facts_.tied.end() && tied->second.contains(dipped))) {
+            auto const group = facts_.tied.find(dipped);
+            bool const together =
+                tied != facts_.tied.end() && group != facts_.tied.end() && tied->second == group->second;
+            if (dipped == name || together) {
                 causes.insert(event);
             }
         }

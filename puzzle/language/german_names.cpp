@@ -95,6 +95,11 @@ std::optional<GermanNames::Parsed> GermanNames::parsed(std::string_view name) co
     if (auto const noun = nouns_.find(name); noun != nouns_.end()) {
         return Parsed{{}, noun->second, {}, false};
     }
+    constexpr auto mostBlanks =
+        6; // the ways to divide a name grow exponentially, and levels may name things at length
+    if (std::count(name.begin(), name.end(), ' ') > mostBlanks) {
+        return std::nullopt;
+    }
     std::size_t const last = name.rfind(' ');
     if (last == std::string_view::npos) {
         return std::nullopt;

@@ -16,11 +16,10 @@ InputError refusedSolution(LevelFile const& level, Solution const& solution,
         return error;
     }
     Placement const& placement = solution.placements[refused - 1];
-    std::vector<Diagnostic> diagnostics{level.diagnostic(
-        solution, placement.path,
-        fmt::format("no world can be built with '{}' there, see the next message", placement.part),
-        "a placement that the rules of its objects allow")};
-    diagnostics.insert(diagnostics.end(), error.diagnostics().begin(), error.diagnostics().end());
+    std::vector<Diagnostic> diagnostics = error.diagnostics();
+    diagnostics.push_back(level.diagnostic(
+        solution, placement.path, fmt::format("no world can be built with '{}' there", placement.part),
+        "a placement that the rules of its objects allow"));
     return InputError(std::move(diagnostics));
 }
 

@@ -24,7 +24,7 @@ void WhatIfTool::reset() {
     chosen_.clear();
     wire_ = {};
     cutting_ = false;
-    cardKeys_ = false;
+    giveCardKeys(false);
 }
 
 bool WhatIfTool::update(Pointer const& pointer, bool pulling) {
@@ -34,6 +34,7 @@ bool WhatIfTool::update(Pointer const& pointer, bool pulling) {
         cutting_ = false;
         if (!view_.active()) {
             chosen_.clear();
+            giveCardKeys(false);
         }
         return false;
     }
@@ -54,7 +55,7 @@ bool WhatIfTool::update(Pointer const& pointer, bool pulling) {
         return pointer.held || pointer.released;
     }
     if (pointer.pressed && !pointer.overCard) {
-        cardKeys_ = false;
+        giveCardKeys(false);
         grip(pointer, pulling);
     }
     if (!drag_) {
