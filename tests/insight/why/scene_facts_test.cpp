@@ -22,7 +22,7 @@ SceneFacts factsOfChain(int n) {
         level["objects"].push_back({{"name", name}, {"at", {x, 0}}, {"properties", properties}});
     };
     auto const hinge = [&](std::string const& a, std::string const& b, double x) {
-        level["joints"].push_back({{"type", "hinge"}, {"a", a}, {"b", b}, {"at", {x, 0}}});
+        level["joints"].push_back({{"form", "hinge"}, {"a", a}, {"b", b}, {"at", {x, 0}}});
     };
     for (int i = 0; i < n; ++i) {
         box(fmt::format("link {}", i), i, false);
