@@ -115,6 +115,8 @@ inline char const* const& pieceFieldTip = editWord(
     "of its main piece");
 inline char const* const& resetPiece = editWord("Reset this piece");
 inline char const* const& resetPieceTip = editWord("Everything about it as the part states it");
+inline char const* const& pieceStays =
+    editWord("A piece of a part cannot be removed; Esc selects the whole object");
 inline char const* const& mirroredTip =
     editWord("Left and right swapped, about its own vertical axis, before it is turned");
 inline char const* const& severalObjectsText = editWord("{} objects");

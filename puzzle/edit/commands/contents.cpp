@@ -139,25 +139,24 @@ Command setToolCount(Json const& level, std::size_t index, int count) {
     return {"Change count", [=](Json& tree) { entryIn(tree, "toolbox", index)["count"] = count; }};
 }
 
-Command setWires(Json const& level, int count) {
+Command setWires(Json const& /*level*/, int count) {
     if (count != 0) {
         mustBeCount(count);
     }
-    Json const* const list = findList(level, "toolbox");
-    std::optional<std::size_t> stated;
-    for (std::size_t i = 0; list != nullptr && i < list->size(); ++i) {
-        if ((*list)[i].is_object() && (*list)[i].contains("wire")) {
-            stated = i;
-        }
-    }
-    return {"Change number of wires", [=](Json& tree) {
+    return {"Change number of wires", [count](Json& tree) {
+                // Sought here: a later change of a drag is made to the tree as it was before the drag.
                 Json& tools = listIn(tree, "toolbox");
+                std::optional<std::size_t> stated;
+                for (std::size_t i = 0; i < tools.size(); ++i) {
+                    if (tools[i].is_object() && tools[i].contains("wire")) {
+                        stated = i;
+                    }
+                }
                 if (!stated && count > 0) {
                     tools.push_back(Json{{"wire", count}});
                 } else if (stated && count > 0) {
-                    entryIn(tree, "toolbox", *stated)["wire"] = count;
+                    tools[*stated]["wire"] = count;
                 } else if (stated) {
-                    mustHaveEntry(tree, "toolbox", *stated, "entry");
                     tools.erase(*stated);
                 }
                 dropIfEmpty(tree, "toolbox");

@@ -2,6 +2,7 @@
 
 #include "puzzle/edit/commands/editor_state.hpp"
 #include "puzzle/edit/tree/part_statements.hpp"
+#include "puzzle/edit/tree/reference_owners.hpp"
 #include "puzzle/edit/tree/references.hpp"
 #include "puzzle/edit/tree/subset.hpp"
 #include "puzzle/edit/tree/tree_access.hpp"
@@ -37,10 +38,10 @@ void removeFrom(Json& level, char const* key, Gone const& gone) {
     dropIfEmpty(level, key);
 }
 
-bool refersTo(Json& joint, NameSet const& names) {
+bool refersTo(Json& joint, NameSet const& names, ReferenceOwners const& owners) {
     bool found = false;
     forReferencesOf(joint,
-                    [&](Json const& name) { found = found || names.contains(name.get<std::string>()); });
+                    [&](Json const& name) { found = found || owners.among(names, name.get<std::string>()); });
     return found;
 }
 
@@ -96,12 +97,13 @@ Command addObject(Json const& level, NewObject const& object) {
 
 void removeEntries(Json& level, std::vector<std::string> const& names) {
     NameSet gone = setOf(names);
+    ReferenceOwners const owners(level); // of the level with the objects that go
     removeFrom(level, "objects", [&](Json const& entry) { return gone.contains(textOf(entry, "name")); });
     // A gear refers to joints: what refers to a removed joint goes as well.
     for (std::size_t before = 0; before != gone.size();) {
         before = gone.size();
         removeFrom(level, "joints", [&](Json& joint) {
-            bool const isGone = refersTo(joint, gone);
+            bool const isGone = refersTo(joint, gone, owners);
             if (std::string name = textOf(joint, "name"); isGone && !name.empty()) {
                 gone.insert(std::move(name));
             }
@@ -110,8 +112,8 @@ void removeEntries(Json& level, std::vector<std::string> const& names) {
     }
     removeFrom(level, "connections", [&](Json& connection) {
         Json const* const ends = endsOf(connection);
-        return ends != nullptr &&
-               (gone.contains((*ends)[0].get<std::string>()) || gone.contains((*ends)[1].get<std::string>()));
+        return ends != nullptr && (owners.among(gone, (*ends)[0].get<std::string>()) ||
+                                   owners.among(gone, (*ends)[1].get<std::string>()));
     });
     tidyEditorState(level);
 }

@@ -30,10 +30,10 @@ struct NewObject {
 
 /// Adds an object at the end of "objects".
 [[nodiscard]] Command addObject(Json const& level, NewObject const& object);
-/// Removes objects, with the joints and connections that refer to them, and with what the editor keeps about
-/// them. Goals and recorded solutions that refer to them stay as they are, and become problems: only the
-/// author knows what they should say now. Locked objects stay; throws CommandError if all are locked, or one
-/// does not exist.
+/// Removes objects, with the joints and connections that refer to them or to pieces of them, and with what
+/// the editor keeps about them. Goals and recorded solutions that refer to them stay as they are, and become
+/// problems: only the author knows what they should say now. Locked objects stay; throws CommandError if all
+/// are locked, or one does not exist.
 [[nodiscard]] Command removeObjects(Json const& level, std::vector<std::string> const& names);
 /// Adds copies, `offset` away (m), with the joints and connections among the objects. The copies of a group
 /// are a group.

@@ -1,5 +1,6 @@
 #include "puzzle/edit/tree/motion.hpp"
 
+#include "puzzle/edit/tree/reference_owners.hpp"
 #include "puzzle/edit/tree/subset.hpp"
 #include "puzzle/edit/tree/tree_access.hpp"
 
@@ -14,9 +15,9 @@ bool hasTwoEnds(Json const& joint) {
 }
 
 /// The second ends of such a joint to the world stay where they are: they are hooks in a wall.
-void shiftJointOf(Json& joint, Shifts const& shifts) {
+void shiftJointOf(Json& joint, Shifts const& shifts, ReferenceOwners const& owners) {
     auto const shiftOf = [&](std::string const& name) {
-        auto const found = shifts.find(name);
+        auto const found = shifts.find(owners.of(name));
         return found == shifts.end() ? Vec2{} : found->second;
     };
     std::string const b = textOf(joint, "b");
@@ -102,8 +103,9 @@ void shiftObjects(Json& level, Shifts const& shifts) {
         setPlace(entry, placeOf(entry) + shift);
     }
     if (findList(level, "joints") != nullptr) {
+        ReferenceOwners const owners(level);
         for (Json& joint : level["joints"]) {
-            shiftJointOf(joint, shifts);
+            shiftJointOf(joint, shifts, owners);
         }
     }
 }
@@ -113,13 +115,14 @@ void moveJoints(Json& level, std::set<std::string> const& objects, Motion const&
         return;
     }
     std::map<std::string, std::string> const forms = formsOfJoints(level);
+    ReferenceOwners const owners(level);
     for (Json& joint : level["joints"]) {
         if (!joint.is_object()) {
             continue;
         }
         std::string const b = textOf(joint, "b");
-        bool const first = objects.contains(textOf(joint, "a"));
-        bool const second = b.empty() ? first : objects.contains(b);
+        bool const first = objects.contains(owners.of(textOf(joint, "a")));
+        bool const second = b.empty() ? first : objects.contains(owners.of(b));
         if (first && (second || hasTwoEnds(joint))) {
             movePointOf(joint, "at", motion.point);
         }

@@ -1,5 +1,7 @@
 #include "puzzle/edit/tree/subset.hpp"
 
+#include "puzzle/edit/tree/part_statements.hpp"
+#include "puzzle/edit/tree/reference_owners.hpp"
 #include "puzzle/edit/tree/references.hpp"
 #include "puzzle/edit/tree/tree_access.hpp"
 
@@ -15,9 +17,10 @@ Json const& entriesOf(Json const& level, char const* key) {
     return list == nullptr ? none : *list;
 }
 
-bool isAmong(Json const& joint, std::set<std::string> const& names) {
+bool isAmong(Json const& joint, std::set<std::string> const& names, ReferenceOwners const& owners) {
     bool all = joint.is_object();
-    forReferencesOf(joint, [&](Json const& name) { all = all && names.contains(name.get<std::string>()); });
+    forReferencesOf(joint,
+                    [&](Json const& name) { all = all && owners.among(names, name.get<std::string>()); });
     return all;
 }
 
@@ -49,12 +52,13 @@ Json subsetOf(Json const& level, std::vector<std::string> const& names) {
         }
     }
     subset["objects"] = std::move(objects);
+    ReferenceOwners const owners(level);
     Json const& joints = entriesOf(level, "joints");
     std::vector<bool> taken(joints.size(), false);
     for (bool more = true; more;) { // a gear is among them once its joints are
         more = false;
         for (std::size_t i = 0; i < joints.size(); ++i) {
-            if (!taken[i] && isAmong(joints[i], known)) {
+            if (!taken[i] && isAmong(joints[i], known, owners)) {
                 taken[i] = more = true;
                 if (std::string name = textOf(joints[i], "name"); !name.empty()) {
                     known.insert(std::move(name));
@@ -72,8 +76,8 @@ Json subsetOf(Json const& level, std::vector<std::string> const& names) {
     Json connections = Json::array();
     for (Json const& connection : entriesOf(level, "connections")) {
         Json const* const ends = endsOf(connection);
-        if (ends != nullptr && wanted.contains((*ends)[0].get<std::string>()) &&
-            wanted.contains((*ends)[1].get<std::string>())) {
+        if (ends != nullptr && owners.among(wanted, (*ends)[0].get<std::string>()) &&
+            owners.among(wanted, (*ends)[1].get<std::string>())) {
             connections.push_back(connection);
         }
     }
@@ -98,6 +102,7 @@ std::vector<std::string> makeUnique(GameData const& data, Json& subset, Json con
     std::set<std::string> taken = takenNames(level);
     NewNames renamed;
     std::vector<std::string> made;
+    PartStatements parts(data);
     for (char const* const key : {"objects", "joints"}) {
         if (!subset.contains(key)) {
             continue;
@@ -113,6 +118,9 @@ std::vector<std::string> makeUnique(GameData const& data, Json& subset, Json con
             entry["name"] = free;
             if (std::string_view(key) == "objects") {
                 made.push_back(free);
+                for (std::string const& inside : parts.namesInside(textOf(entry, "part"))) {
+                    renamed.emplace(name + " " + inside, free + " " + inside); // an entry's name comes first
+                }
             }
         }
     }

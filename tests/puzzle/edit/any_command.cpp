@@ -12,6 +12,7 @@
 #include "puzzle/edit/commands/shapes.hpp"
 #include "puzzle/edit/commands/solutions.hpp"
 #include "puzzle/edit/commands/translations.hpp"
+#include "puzzle/edit/tree/part_statements.hpp"
 
 namespace trembler::edit {
 
@@ -69,6 +70,11 @@ Command anyCommand(LevelDocument const& document, std::function<int(int)> const&
             names.push_back(one());
         }
         return names;
+    };
+    auto const end = [&] { // of a joint or connection
+        std::vector<std::string> const names = namesOfObjectsAndPieces(data, level);
+        return names.empty() ? std::string("none")
+                             : names[static_cast<std::size_t>(next(static_cast<int>(names.size())))];
     };
     auto const index = [&] { return static_cast<std::size_t>(next(3)); };
     auto const place = [&]() -> std::string {
@@ -132,11 +138,11 @@ Command anyCommand(LevelDocument const& document, std::function<int(int)> const&
     case 23:
         return setJointField(data, level, index(), "/collide", next(2) == 0);
     case 24:
-        return addJoint(data, level, kind({"hinge", "rope", "spring"}), one(), one(), point(), point());
+        return addJoint(data, level, kind({"hinge", "rope", "spring"}), end(), end(), point(), point());
     case 25:
         return removeJoints(level, {index()});
     case 26:
-        return addConnection(level, one(), one());
+        return addConnection(level, end(), end());
     case 27:
         return removeConnections(level, {index()});
     case 28:

@@ -11,6 +11,8 @@
 #include "puzzle/edit/commands/goals.hpp"
 #include "puzzle/edit/commands/objects.hpp"
 #include "puzzle/edit/commands/own_parts.hpp"
+#include "puzzle/edit/commands/properties.hpp"
+#include "puzzle/edit/inspect/inspector.hpp"
 
 #include <SDL_clipboard.h>
 
@@ -57,6 +59,24 @@ std::vector<SelectableEntry> selectableEntries(EditParts const& parts) {
 /// The number at the end of a JSON pointer.
 std::size_t indexAtEnd(std::string const& path) {
     return static_cast<std::size_t>(std::strtoul(path.c_str() + path.rfind('/') + 1, nullptr, 10));
+}
+
+/// Takes back what is stated about the selected piece: the piece itself is its part's. False if none is
+/// selected that the objects have.
+bool deletePiece(EditParts& parts) {
+    auto const pieces = edit::inspectPieces(*parts.data, parts.tree(), parts.selected());
+    std::string const chosen = parts.selection.piece();
+    auto const piece =
+        std::find_if(pieces.begin(), pieces.end(), [&](auto const& one) { return one.name == chosen; });
+    if (chosen.empty() || piece == pieces.end()) {
+        return false;
+    }
+    if (piece->stated) {
+        parts.run([&](Json const& level) { return edit::resetPiece(level, parts.selected(), chosen); });
+    } else {
+        parts.tell(words::pieceStays);
+    }
+    return true;
 }
 
 } // namespace
@@ -134,6 +154,9 @@ void duplicate(EditParts& parts) {
 }
 
 void deleteSelected(EditParts& parts) {
+    if (deletePiece(parts)) {
+        return;
+    }
     if (hasSelection(parts)) {
         parts.run([&](Json const& level) { return edit::removeObjects(level, parts.selected()); });
         return;

@@ -44,6 +44,12 @@ float dragSpeed(double value) {
     return static_cast<float>(std::clamp(0.01 * std::abs(value), 0.005, 1e6));
 }
 
+/// Whether a place inside a property is that of an entry of a list, which has a value or does not exist.
+bool isListEntry(std::string const& place) {
+    std::string const token = place.substr(place.rfind('/') + 1);
+    return !token.empty() && token.find_first_not_of("0123456789") == std::string::npos;
+}
+
 double numberOf(Json const& value) {
     return value.is_number() ? value.get<double>() : 0;
 }
@@ -201,7 +207,7 @@ std::optional<Json> fieldWidget(EditParts& parts, edit::InspectedField const& fi
         std::string chosen = field.value.is_string() ? field.value.get<std::string>() : "";
         bool const named = field.type == FieldType::object; // names of objects are the designer's
         std::vector<std::string> choices = field.choices;
-        if (named && !field.required && !field.place.empty()) {
+        if (named && !field.required && !field.place.empty() && !isListEntry(field.place)) {
             choices.insert(choices.begin(), ""); // none, as the world for a joint
         }
         if (choiceField(parts, item, chosen, choices, named ? nullptr : shownChoice)) {

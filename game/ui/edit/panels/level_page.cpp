@@ -66,6 +66,9 @@ void drawTexts(EditParts& parts) {
     }
 }
 
+/// Of the number of wires, with an entry for it and without: a drag from 0 makes the entry and goes on.
+constexpr char const* wiresId = "wires";
+
 /// How many wires the player may lay; `beside` is the width of the buttons that follow in pixels.
 void drawWires(EditParts& parts, double count, float beside) {
     fieldName(words::wiresField, words::wiresTip);
@@ -110,7 +113,7 @@ void drawToolboxRows(EditParts& parts) {
         wires = wires || ofWires;
         std::string const item = "tool " + std::to_string(i);
         // By its name, so that the ring of the keyboard stays with an entry that is moved.
-        ImGui::PushID(ofWires ? "wires" : textAt(tools[i], "part").c_str());
+        ImGui::PushID(ofWires ? wiresId : textAt(tools[i], "part").c_str());
         drawTool(parts, tools[i].is_object() ? tools[i] : Json::object(), i, orderArrowsWidth() + remove);
         if (auto const to = orderArrows(parts, item, i, tools.size())) {
             parts.run([&](Json const& level) { return edit::moveTool(level, i, *to); });
@@ -124,7 +127,9 @@ void drawToolboxRows(EditParts& parts) {
         ImGui::PopID();
     }
     if (!wires) {
+        ImGui::PushID(wiresId);
         drawWires(parts, 0, 0);
+        ImGui::PopID();
     }
     std::string chosen;
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);

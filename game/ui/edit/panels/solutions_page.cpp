@@ -8,13 +8,43 @@
 #include "render/panels/theme.hpp"
 #include "runtime/level/json/limits.hpp"
 
+#include <optional>
+
 namespace trembler::ui {
 namespace {
 
 using namespace render;
 using edit::Json;
 
-void drawSolution(EditParts& parts, Solution const& solution, std::size_t index, std::size_t count) {
+/// Where a solution lies in the file: entries that cannot be read are not among those shown. Where it was
+/// when the file was read, if one of its name is there still, else by its name.
+std::optional<std::size_t> indexInFile(Json const& level, Solution const& solution) {
+    auto const list = level.find("solutions");
+    std::optional<std::size_t> found;
+    for (std::size_t i = 0; list != level.end() && list->is_array() && i < list->size(); ++i) {
+        Json const& entry = (*list)[i];
+        if (!entry.is_object() || entry.value("name", Json("")) != solution.name) {
+            continue;
+        }
+        if (!found || solution.path == "/solutions/" + std::to_string(i)) {
+            found = i;
+        }
+    }
+    return found;
+}
+
+/// Moves a solution to where another one is; nothing if the file has changed since it was read.
+void moveSolutionTo(EditParts& parts, Solution const& solution, Solution const& other) {
+    auto const from = indexInFile(parts.tree(), solution);
+    auto const to = indexInFile(parts.tree(), other);
+    if (from && to) {
+        parts.run([&](Json const& level) { return edit::moveSolution(level, *from, *to); });
+    }
+}
+
+void drawSolution(EditParts& parts, std::vector<Solution> const& all, std::size_t index) {
+    Solution const& solution = all[index];
+    std::size_t const count = all.size();
     std::string const item = "solution " + std::to_string(index);
     std::string name = solution.name;
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - (count > 1 ? orderArrowsWidth() : 0));
@@ -23,7 +53,7 @@ void drawSolution(EditParts& parts, Solution const& solution, std::size_t index,
     }
     if (count > 1) {
         if (auto const to = orderArrows(parts, item, index, count)) {
-            parts.run([&](Json const& level) { return edit::moveSolution(level, index, *to); });
+            moveSolutionTo(parts, solution, all[*to]);
         }
     }
     bool solves = solution.solves;
@@ -65,7 +95,7 @@ void drawSolutionsPage(EditParts& parts) {
     for (std::size_t i = 0; i < solutions.size(); ++i) {
         // By its name, so that the ring of the keyboard stays with a solution that is moved.
         ImGui::PushID(solutions[i].name.c_str());
-        drawSolution(parts, solutions[i], i, solutions.size());
+        drawSolution(parts, solutions, i);
         ImGui::PopID();
     }
     if (smallButton(parts, words::recordNew, "record new", words::recordNewTip)) {

@@ -96,6 +96,50 @@ TEST(EditorOrder, OfTheToolboxByMouse) {
     EXPECT_EQ(designer.parts().document.text(), before);
 }
 
+TEST(EditorOrder, TheNumberOfWiresIsDraggedFromNone) {
+    Designer designer;
+    std::string level = orderedLevel;
+    level.erase(level.find("{\"wire\": 3}, "), std::string("{\"wire\": 3}, ").size());
+    designer.editText(level);
+    std::string const before = designer.parts().document.text();
+    designer.key(SDLK_F6);
+    designer.frames(3);
+    designer.seek("wires");
+    designer.drag(designer.item("wires"), designer.item("wires") + Point{160, 0});
+    EXPECT_EQ(toolsOf(designer), "plank, steel ball, wire, ");
+    EXPECT_GT(designer.tree()["toolbox"].back()["wire"].get<int>(), 3) << "the drag goes on";
+    designer.ctrl(SDLK_z);
+    EXPECT_EQ(designer.parts().document.text(), before) << "one change";
+}
+
+TEST(EditorOrder, OfSolutionsBesideUnreadableOnes) {
+    Designer designer;
+    std::string level = orderedLevel;
+    level.insert(level.find("{\"name\": \"one\""), "3, ");
+    level.insert(level.find("{\"name\": \"three\""), "4, ");
+    designer.editText(level);
+    if (designer.parts().document.readOnly()) {
+        designer.clickItem("edit nevertheless");
+        designer.frames(2);
+    }
+    auto const ordered = [&] {
+        std::string all;
+        for (auto const& solution : designer.tree()["solutions"]) {
+            all += (solution.is_object() ? solution["name"].get<std::string>() : solution.dump()) + ", ";
+        }
+        return all;
+    };
+    ASSERT_EQ(ordered(), "3, one, two, 4, three, ");
+    ASSERT_EQ(designer.parts().level.solutions.size(), 3U);
+    designer.key(SDLK_F7);
+    designer.frames(3);
+    designer.clickItem("solution 0 down");
+    EXPECT_EQ(ordered(), "3, two, one, 4, three, ");
+    designer.frames(2);
+    designer.clickItem("solution 2 up");
+    EXPECT_EQ(ordered(), "3, two, three, one, 4, ");
+}
+
 TEST(EditorOrder, OfSolutionsByMouse) {
     Designer designer;
     designer.editText(orderedLevel);

@@ -1,5 +1,6 @@
 // Pieces of composite parts are selected and changed in the editor, with real input events.
 #include "puzzle/edit/commands/objects.hpp"
+#include "puzzle/edit/commands/properties.hpp"
 #include "tests/game/ui/edit/editor_kit.hpp"
 
 namespace trembler::ui::test {
@@ -56,6 +57,30 @@ TEST(EditorPieces, AreSelectedByADoubleClickAndChanged) {
     designer.ctrl(SDLK_z);
     designer.ctrl(SDLK_z);
     EXPECT_EQ(designer.parts().document.text(), before);
+}
+
+TEST(EditorPieces, AreResetByDeleteAndNeverRemoved) {
+    Designer designer;
+    designer.editText(bells);
+    std::string const before = designer.parts().document.text();
+    designer.parts().selection.set({"front bell"});
+    designer.parts().selection.choosePiece("striker");
+    designer.parts().run([&](edit::Json const& level) {
+        return edit::setField(*designer.parts().data, level, {"front bell"}, "density", "", 4000, "striker");
+    });
+    ASSERT_TRUE(entryOf(designer, "front bell").contains("pieces"));
+    designer.key(SDLK_DELETE);
+    EXPECT_EQ(designer.parts().document.text(), before);
+    EXPECT_EQ(designer.parts().document.undoName(), "Reset piece 'striker' of front bell");
+    EXPECT_EQ(designer.parts().selection.piece(), "striker");
+    auto const toasts = designer.app().context().toasts.count();
+    designer.key(SDLK_DELETE);
+    EXPECT_EQ(designer.parts().document.text(), before);
+    EXPECT_EQ(designer.app().context().toasts.count(), toasts + 1) << "it tells that a piece stays";
+    designer.look("edit-piece-stays");
+    designer.key(SDLK_ESCAPE);
+    designer.key(SDLK_DELETE);
+    EXPECT_EQ(edit::findObject(designer.tree(), "front bell"), nullptr) << "the whole";
 }
 
 TEST(EditorPieces, AreChosenInTheInspectorOfSeveralObjects) {
