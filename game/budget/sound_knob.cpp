@@ -17,11 +17,11 @@ struct Calibrated {
     double microseconds;
     double hertz; ///< error of a body's mean audible frequency, Hz
 };
-constexpr std::array<Calibrated, 5> ladder{{{"1-mode", 3.79, 47.8},
-                                            {"4-modes", 4.56, 11.5},
-                                            {"8-modes", 5.13, 7.53},
-                                            {"16-modes", 5.79, 2.55},
-                                            {"32-modes", 7.42, 0}}};
+constexpr std::array<Calibrated, 5> ladder{{{"1-mode", 5.71, 40.8},
+                                            {"4-modes", 6.79, 7.1},
+                                            {"8-modes", 7.56, 3.51},
+                                            {"16-modes", 8.56, 0.831},
+                                            {"32-modes", 10.6, 0}}};
 /// Sound moves no bodies, so its error needs a conversion: an error of 100 % of the pitch counts as much as a
 /// body that is off by this.
 constexpr double metresForAll = 0.01;

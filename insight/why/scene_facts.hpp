@@ -16,8 +16,8 @@ struct SceneFacts {
     std::set<std::string> lamps;                    ///< see isLamp()
     std::map<std::string, std::size_t> placementOf; ///< objects that were placed, pieces included
     std::map<std::string, Vec2> places;             ///< m, of everything that is somewhere
-    /// Of each object that joints connect with others that can move, the number of their group: what moves one of
-    /// them moves them all.
+    /// Of each object that joints connect with others that can move, the number of their group: what moves
+    /// one of them moves them all.
     std::map<std::string, std::size_t> tied;
     /// The first frame in which two objects touched in the run, by their names as the trace has them; of a
     /// run that is over.

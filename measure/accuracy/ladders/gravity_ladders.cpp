@@ -133,7 +133,8 @@ Ladder climbGravity(Scene const& scene, std::string name, bool angles, int frame
     }
     ladder.rungs.push_back(measure(scene, right, "real", "real", 0, frames));
     ladder.remark =
-        angles ? "The tree is faster than the sum over all pairs from some hundreds of masses on, and a scene uses "
+        angles ? "The tree is faster than the sum over all pairs from some hundreds of masses on, and a "
+                 "scene uses "
                  "it from 2000 on (bench_many_bodies)."
                : "Near the ground the error of linear gravity is the decrease of weight with height.";
     return ladder;

@@ -24,7 +24,8 @@ void walkOthers(Player& player, Look const& look);
 void walkEditor(Player& player, Look const& look);
 /// The same without the pages of walkStudies.
 void walkEditorWithoutStudies(Player& player, Look const& look);
-/// The editor's report on a level, and its search for solutions, which take longer than all other screens together.
+/// The editor's report on a level, and its search for solutions, which take longer than all other screens
+/// together.
 void walkStudies(Player& player, Look const& look);
 
 /// All of it.
