@@ -8,7 +8,10 @@
 #include "render/panels/theme.hpp"
 #include "runtime/level/json/limits.hpp"
 
+#include <deque>
+#include <map>
 #include <optional>
+#include <string_view>
 
 namespace trembler::ui {
 namespace {
@@ -31,6 +34,35 @@ std::optional<std::size_t> indexInFile(Json const& level, Solution const& soluti
         }
     }
     return found;
+}
+
+/// The solutions as they were read, in the order that the file has now: a level that takes long to read is
+/// read some time after a change. Equal names keep the order in which they were read.
+std::vector<Solution> inOrderOfFile(EditParts const& parts) {
+    std::vector<Solution> const& read = parts.level.solutions;
+    std::map<std::string_view, std::deque<std::size_t>> left;
+    for (std::size_t i = 0; i < read.size(); ++i) {
+        left[read[i].name].push_back(i);
+    }
+    std::vector<Solution> ordered;
+    auto const list = parts.tree().find("solutions");
+    if (list != parts.tree().end() && list->is_array()) {
+        for (Json const& entry : *list) {
+            auto const name = entry.is_object() ? entry.find("name") : entry.end();
+            if (name == entry.end() || !name->is_string()) {
+                continue;
+            }
+            if (auto const found = left.find(name->get_ref<std::string const&>());
+                found != left.end() && !found->second.empty()) {
+                ordered.push_back(read[found->second.front()]);
+                found->second.pop_front();
+            }
+        }
+    }
+    if (ordered.size() != read.size()) { // one was renamed or removed since
+        return read;
+    }
+    return ordered;
 }
 
 /// Moves a solution to where another one is; nothing if the file has changed since it was read.
@@ -91,7 +123,7 @@ void drawSolutionsPage(EditParts& parts) {
     if (parts.level.solutions.empty()) {
         caption(words::noSolutions);
     }
-    std::vector<Solution> const solutions = parts.level.solutions;
+    std::vector<Solution> const solutions = inOrderOfFile(parts);
     for (std::size_t i = 0; i < solutions.size(); ++i) {
         // By its name, so that the ring of the keyboard stays with a solution that is moved.
         ImGui::PushID(solutions[i].name.c_str());
