@@ -152,8 +152,8 @@ Clauses clausesOf(Step const& step, SceneFacts const& facts, std::string const& 
     if (at != kindTexts.end()) {
         return {tongue.say(at->main, objects), tongue.say(at->because, objects)};
     }
-    if (step.what == "joint overloaded" &&
-        step.objects.size() > 1) { // the joint, which may have no name, and its bodies
+    // Tells of the bodies, as a joint need not have a name.
+    if (step.what == "joint overloaded" && step.objects.size() > 1) {
         std::vector<std::string> const bodies(step.objects.begin() + 1, step.objects.end());
         if (bodies.size() == 1) {
             return {tongue.say("the joint of {} is overloaded", bodies),

@@ -51,8 +51,7 @@ std::string countsInWords(insight::SearchResult const& result) {
 }
 
 SearchedLevel searchLevel(insight::LevelUnderTest const& level, std::filesystem::path const& file,
-                          SolveArguments const& arguments, std::uint64_t runs, bool keepSeconds,
-                          WorkPlace& place) {
+                          SolveArguments const& arguments, std::uint64_t runs, bool many, WorkPlace& place) {
     insight::Workers& workers = place.workers();
     SearchedLevel searched;
     searched.file = file;
@@ -63,7 +62,6 @@ SearchedLevel searchLevel(insight::LevelUnderTest const& level, std::filesystem:
     options.frames = arguments.frames;
     options.hands = !arguments.noHands;
     options.random = arguments.random;
-    bool const many = keepSeconds;
     options.progress = [&](std::uint64_t done, std::size_t kinds) {
         place.say(
             fmt::format("{}{} runs, {} kinds of solutions", many ? level.name() + ": " : "", done, kinds));
@@ -79,7 +77,7 @@ SearchedLevel searchLevel(insight::LevelUnderTest const& level, std::filesystem:
         searched.chance = searchFor(level, options, workers);
     }
     searched.complete = !workers.stopped();
-    if (keepSeconds) {
+    if (many) {
         searched.seconds = anew ? searched.seconds : std::nullopt;
         if (searched.complete) {
             searched.seconds =

@@ -28,11 +28,11 @@ struct SearchedLevel {
     [[nodiscard]] std::optional<double> runsPerSecond() const;
 };
 
-/// Searches, in all members of a team. `keepSeconds`: how long it took is written into the journal, for who
-/// goes on later.
+/// Searches, in all members of a team. `many`: it is one of several levels; its progress is told with its
+/// name, and how long it took is written into the journal, for who goes on later.
 [[nodiscard]] SearchedLevel searchLevel(insight::LevelUnderTest const& level,
                                         std::filesystem::path const& file, SolveArguments const& arguments,
-                                        std::uint64_t runs, bool keepSeconds, WorkPlace& place);
+                                        std::uint64_t runs, bool many, WorkPlace& place);
 
 /// What is told of a level.
 struct ToldLevel {

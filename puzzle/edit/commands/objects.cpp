@@ -149,9 +149,7 @@ Command renameObject(GameData const& data, Json const& level, std::string const&
                 Json& entry = objectEntry(tree, name);
                 NewNames names{{name, to}};
                 PartStatements parts(data);
-                for (std::string const& inside : parts.namesInside(textOf(entry, "part"))) {
-                    names[name + " " + inside] = to + " " + inside;
-                }
+                renameInsides(parts, entry, to, names);
                 entry["name"] = to;
                 renameInEntries(data, tree, names);
                 renameElsewhere(tree, names);

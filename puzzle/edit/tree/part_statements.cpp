@@ -119,6 +119,13 @@ Json PartStatements::of(std::string const& part, std::string const& piece, Prope
     return value == nullptr ? Json() : writeProperty(*value);
 }
 
+void renameInsides(PartStatements& parts, Json const& entry, std::string const& to, NewNames& names) {
+    std::string const name = textOf(entry, "name");
+    for (std::string const& inside : parts.namesInside(textOf(entry, "part"))) {
+        names.emplace(name + " " + inside, to + " " + inside);
+    }
+}
+
 std::vector<std::string> namesOfObjectsAndPieces(GameData const& data, Json const& level) {
     std::vector<std::string> names;
     PartStatements parts(data);

@@ -3,6 +3,7 @@
 
 #include "puzzle/data/game_data.hpp"
 #include "puzzle/edit/document/command.hpp"
+#include "puzzle/edit/tree/references.hpp"
 
 #include <map>
 #include <memory>
@@ -47,6 +48,10 @@ private:
     GameData const& data_;
     std::map<std::string, std::unique_ptr<Composite>> composites_;
 };
+
+/// Adds the new names of everything that is inside of an object which is renamed to `to`. Names that are
+/// there already stay: those of entries come first.
+void renameInsides(PartStatements& parts, Json const& entry, std::string const& to, NewNames& names);
 
 /// All names by which a level may refer to objects: each entry's, followed by those of its pieces.
 [[nodiscard]] std::vector<std::string> namesOfObjectsAndPieces(GameData const& data, Json const& level);

@@ -3,6 +3,7 @@
 #include "puzzle/edit/tree/tree_access.hpp"
 #include "runtime/level/json/limits.hpp"
 #include "runtime/level/property/field_outline.hpp"
+#include "runtime/property/idle_visitor.hpp"
 
 #include <algorithm>
 
@@ -19,17 +20,11 @@ void renameText(Json& text, NewNames const& names) {
 
 /// Renames the objects that the fields of a property refer to, by the property's description: it walks
 /// through a value and its text at once.
-class ReferenceRenamer final : public FieldVisitor {
+class ReferenceRenamer final : public IdleVisitor {
 public:
     ReferenceRenamer(Json& json, bool bare, NewNames const& names)
         : json_(json), bare_(bare), names_(names) {}
 
-    void boolean(FieldInfo const& /*info*/, bool& /*value*/) override {}
-    void integer(FieldInfo const& /*info*/, std::int32_t& /*value*/) override {}
-    void number(FieldInfo const& /*info*/, double& /*value*/) override {}
-    void vector(FieldInfo const& /*info*/, Vec2& /*value*/) override {}
-    void text(FieldInfo const& /*info*/, std::string& /*value*/) override {}
-    void choice(FieldInfo const& /*info*/, ChoiceField /*field*/) override {}
     void object(FieldInfo const& info, ObjectId& /*value*/) override {
         if (Json* const stated = find(info)) {
             renameText(*stated, names_);

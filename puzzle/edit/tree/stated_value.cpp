@@ -5,6 +5,7 @@
 #include "runtime/level/json/limits.hpp"
 #include "runtime/level/property/field_outline.hpp"
 #include "runtime/level/property/property_writer.hpp"
+#include "runtime/property/idle_visitor.hpp"
 
 #include <fmt/format.h>
 
@@ -41,9 +42,8 @@ std::vector<std::string> tokensOf(std::string const& place) {
 }
 
 /// Brings the numbers of a new entry into their ranges.
-class IntoRange final : public FieldVisitor {
+class IntoRange final : public IdleVisitor {
 public:
-    void boolean(FieldInfo const& /*info*/, bool& /*value*/) override {}
     void integer(FieldInfo const& info, std::int32_t& value) override {
         if (value < info.minimum) {
             value = static_cast<std::int32_t>(info.minimum);
@@ -55,15 +55,10 @@ public:
                 info.minimumExcluded ? std::min(std::max(1.0, 2 * info.minimum), info.maximum) : info.minimum;
         }
     }
-    void vector(FieldInfo const& /*info*/, Vec2& /*value*/) override {}
-    void text(FieldInfo const& /*info*/, std::string& /*value*/) override {}
-    void choice(FieldInfo const& /*info*/, ChoiceField /*field*/) override {}
-    void object(FieldInfo const& /*info*/, ObjectId& /*value*/) override {}
-    void list(FieldInfo const& /*info*/, ListField& /*field*/) override {}
 };
 
 /// Adds an entry to the list at a place of a value.
-class ListGrower final : public FieldVisitor {
+class ListGrower final : public IdleVisitor {
 public:
     /// `at` is the first token about the value; `bare`: it is a single field, which no token names.
     ListGrower(std::vector<std::string> const& tokens, std::size_t at, bool bare)
@@ -71,13 +66,6 @@ public:
 
     bool grown = false;
 
-    void boolean(FieldInfo const& /*info*/, bool& /*value*/) override {}
-    void integer(FieldInfo const& /*info*/, std::int32_t& /*value*/) override {}
-    void number(FieldInfo const& /*info*/, double& /*value*/) override {}
-    void vector(FieldInfo const& /*info*/, Vec2& /*value*/) override {}
-    void text(FieldInfo const& /*info*/, std::string& /*value*/) override {}
-    void choice(FieldInfo const& /*info*/, ChoiceField /*field*/) override {}
-    void object(FieldInfo const& /*info*/, ObjectId& /*value*/) override {}
     void list(FieldInfo const& info, ListField& field) override {
         std::size_t const inside = bare_ ? at_ : at_ + 1;
         if (!bare_ && (at_ >= tokens_.size() || tokens_[at_] != info.key)) {

@@ -115,13 +115,11 @@ std::vector<std::string> makeUnique(GameData const& data, Json& subset, Json con
             std::string const free = untaken(taken, name);
             taken.insert(free);
             renamed[name] = free;
-            entry["name"] = free;
             if (std::string_view(key) == "objects") {
                 made.push_back(free);
-                for (std::string const& inside : parts.namesInside(textOf(entry, "part"))) {
-                    renamed.emplace(name + " " + inside, free + " " + inside); // an entry's name comes first
-                }
+                renameInsides(parts, entry, free, renamed);
             }
+            entry["name"] = free;
         }
     }
     renameInEntries(data, subset, renamed);
