@@ -63,6 +63,7 @@ bool OpenAlOutput::start(std::vector<ALCint> attributes, std::string& why) {
     alListenerfv(AL_ORIENTATION, orientation.data());
     reverb_.make(device_);
     streams_.sendTo(reverb_.slot());
+    streams_.prepare(mostPlaces + 1); // and the rest
     set(settings_);
     return true;
 }

@@ -10,14 +10,46 @@ constexpr int longestQueue = 6; // blocks; beyond that the world runs too fast
 } // namespace
 
 OpenAlStreams::OpenAlStreams(int block, int rate, double fullScale)
-    : rate_(rate), fullScale_(fullScale), scaled_(static_cast<std::size_t>(block)) {}
+    : rate_(rate), fullScale_(fullScale), scaled_(static_cast<std::size_t>(block)),
+      silence_(static_cast<std::size_t>(block)) {}
+
+void OpenAlStreams::addIdleBuffer() {
+    ALuint buffer = 0;
+    alGenBuffers(1, &buffer);
+    allBuffers_.push_back(buffer);
+    idleBuffers_.push_back(buffer);
+}
+
+// Returns whether OpenAL had another source.
+bool OpenAlStreams::addIdleSource() {
+    ALuint id = 0;
+    alGetError();
+    alGenSources(1, &id);
+    if (alGetError() != AL_NO_ERROR) {
+        return false;
+    }
+    allSources_.push_back(id);
+    idleSources_.push_back(id);
+    return true;
+}
+
+void OpenAlStreams::prepare(int streams) {
+    for (int i = 0; i < streams && addIdleSource(); ++i) {
+        for (int b = 0; b <= cushion_; ++b) {
+            addIdleBuffer();
+            fill(idleBuffers_.back(), silence_); // OpenAL takes the memory for samples with the first ones
+        }
+    }
+}
+
+void OpenAlStreams::fill(ALuint buffer, std::span<float const> samples) {
+    alBufferData(buffer, AL_FORMAT_MONO_FLOAT32, samples.data(), static_cast<ALsizei>(samples.size_bytes()),
+                 rate_);
+}
 
 ALuint OpenAlStreams::freeBuffer() {
     if (idleBuffers_.empty()) {
-        ALuint buffer = 0;
-        alGenBuffers(1, &buffer);
-        allBuffers_.push_back(buffer);
-        return buffer;
+        addIdleBuffer();
     }
     ALuint const buffer = idleBuffers_.back();
     idleBuffers_.pop_back();
@@ -29,15 +61,8 @@ OpenAlStreams::Source* OpenAlStreams::sourceFor(std::uint64_t stream) {
     if (known != sources_.end()) {
         return &known->second;
     }
-    if (idleSources_.empty()) {
-        ALuint id = 0;
-        alGetError();
-        alGenSources(1, &id);
-        if (alGetError() != AL_NO_ERROR) {
-            return nullptr;
-        }
-        allSources_.push_back(id);
-        idleSources_.push_back(id);
+    if (idleSources_.empty() && !addIdleSource()) {
+        return nullptr;
     }
     Source source;
     source.id = idleSources_.back();
@@ -77,16 +102,14 @@ void OpenAlStreams::queue(Source& source, std::span<float const> samples) {
     alGetSourcei(source.id, AL_SOURCE_STATE, &state);
     auto const add = [&](std::span<float const> block) {
         ALuint const buffer = freeBuffer();
-        alBufferData(buffer, AL_FORMAT_MONO_FLOAT32, block.data(), static_cast<ALsizei>(block.size_bytes()),
-                     rate_);
+        fill(buffer, block);
         alSourceQueueBuffers(source.id, 1, &buffer);
     };
     if (state != AL_PLAYING) { // it begins, or its queue ran empty
         slips_ += state == AL_STOPPED ? 1 : 0;
         reclaim(source);
-        std::vector<float> const silence(samples.size(), 0);
         for (int i = 0; i < cushion_; ++i) {
-            add(silence);
+            add(silence_);
         }
     }
     std::transform(samples.begin(), samples.end(), scaled_.begin(),

@@ -30,6 +30,10 @@ public:
     /// Sets the number of silent blocks before a stream begins, so that its queue does not run empty at once.
     void setCushion(int blocks) { cushion_ = blocks; }
 
+    /// Creates what `streams` streams that begin at the same time need, so that the frame in which they do
+    /// takes no longer for it. To be called after sendTo() and setCushion().
+    void prepare(int streams);
+
     /// Whether so many blocks are queued that the next block should be left out.
     [[nodiscard]] bool ahead();
     /// Queues the next block of a stream. Does nothing if OpenAL has no source for it.
@@ -61,6 +65,9 @@ private:
         ALuint buffer = 0;
     };
 
+    bool addIdleSource();
+    void addIdleBuffer();
+    void fill(ALuint buffer, std::span<float const> samples);
     [[nodiscard]] Source* sourceFor(std::uint64_t stream);
     [[nodiscard]] ALuint freeBuffer();
     void reclaim(Source& source);
@@ -76,7 +83,8 @@ private:
     std::vector<ALuint> idleBuffers_;
     std::vector<ALuint> allBuffers_;
     std::vector<Once> once_;
-    std::vector<float> scaled_;
+    std::vector<float> scaled_;  // a member to reuse its memory
+    std::vector<float> silence_; // a block
     std::uint64_t slips_ = 0;
 };
 

@@ -62,7 +62,8 @@ std::vector<float> samplesOf(InterfaceSound sound, int rate) {
     }
     std::vector<float> samples(static_cast<std::size_t>(std::lround(length * rate)), 0.F);
     std::vector<std::uint8_t> const audible(strikes.size(), 1);
-    (void)bank.render(samples, audible, 0);
+    ModalScratch scratch;
+    (void)bank.render(samples, audible, 0, scratch);
     // It ends without a step.
     std::size_t const fade = std::min<std::size_t>(samples.size(), static_cast<std::size_t>(rate) / 200);
     for (std::size_t i = 0; i < fade; ++i) {

@@ -5,7 +5,9 @@
 #include "runtime/math/vec2.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 namespace trembler {
 namespace {
@@ -26,45 +28,132 @@ void fillNoise(std::span<float> noise, std::uint64_t seed) {
     }
 }
 
-template <int count, bool driven, class Group>
-void turn(Group* groups, float const* noise, Lanes* sums, int from, int to) {
-    Lanes re[count];
-    Lanes im[count];
-    for (int g = 0; g < count; ++g) {
-        re[g] = groups[g].re;
-        im[g] = groups[g].im;
+// Calls function(0), function(1) ... with numbers known to the compiler. g++ -O2 does not unroll a loop, and
+// so would keep an array that the loop reads in memory instead of in registers.
+template <int count, class Function>
+[[gnu::always_inline]] inline void forEach(Function&& function) {
+    [&]<int... i>(std::integer_sequence<int, i...>) {
+        (function(std::integral_constant<int, i>{}), ...);
     }
+    (std::make_integer_sequence<int, count>{});
+}
+
+// One sample further: z times step.
+void rotate(Lanes& re, Lanes& im, Lanes const& stepRe, Lanes const& stepIm) {
+    Lanes const next = re * stepRe - im * stepIm;
+    im = re * stepIm + im * stepRe;
+    re = next;
+}
+
+// Modes that a noise drives: each sample of a group depends on the previous one.
+template <int count>
+void drive(ModalScratch::Group* groups, float const* noise, Lanes* sums, int from, int to) {
+    std::array<ModalScratch::Group, count> now;
+    forEach<count>([&](auto g) { now[g] = groups[g]; });
     for (int n = from; n < to; ++n) {
         Lanes sum = sums[n];
-        for (int g = 0; g < count; ++g) {
-            sum += im[g];
-            Lanes next = re[g] * groups[g].stepRe - im[g] * groups[g].stepIm;
-            im[g] = re[g] * groups[g].stepIm + im[g] * groups[g].stepRe;
-            if constexpr (driven) {
-                next += groups[g].drive * noise[n];
-            }
-            re[g] = next;
-        }
+        forEach<count>([&](auto g) {
+            sum += now[g].im;
+            rotate(now[g].re, now[g].im, now[g].stepRe, now[g].stepIm);
+            now[g].re += now[g].drive * noise[n];
+        });
         sums[n] = sum;
     }
-    for (int g = 0; g < count; ++g) {
-        groups[g].re = re[g];
-        groups[g].im = im[g];
+    forEach<count>([&](auto g) { groups[g] = now[g]; });
+}
+
+// Modes that ring freely. A rotation waits for the result of the one before, which takes longer than the
+// arithmetic, so `phases` samples in a row are followed at the same time, each by that many samples in a
+// step.
+template <int count, int phases>
+void ring(ModalScratch::Group* groups, Lanes* sums, int from, int to) {
+    std::array<std::array<Lanes, phases>, count> re;
+    std::array<std::array<Lanes, phases>, count> im;
+    std::array<Lanes, count> strideRe;
+    std::array<Lanes, count> strideIm;
+    forEach<count>([&](auto g) {
+        re[g][0] = groups[g].re;
+        im[g][0] = groups[g].im;
+        strideRe[g] = groups[g].stepRe;
+        strideIm[g] = groups[g].stepIm;
+        forEach<phases - 1>([&](auto p) {
+            re[g][p + 1] = re[g][p];
+            im[g][p + 1] = im[g][p];
+            rotate(re[g][p + 1], im[g][p + 1], groups[g].stepRe, groups[g].stepIm);
+            rotate(strideRe[g], strideIm[g], groups[g].stepRe, groups[g].stepIm);
+        });
+    });
+    int n = from;
+    for (; n + phases <= to; n += phases) {
+        forEach<phases>([&](auto p) {
+            Lanes sum = sums[n + p];
+            forEach<count>([&](auto g) {
+                sum += im[g][p];
+                rotate(re[g][p], im[g][p], strideRe[g], strideIm[g]);
+            });
+            sums[n + p] = sum;
+        });
+    }
+    for (; n < to; ++n) {
+        forEach<count>([&](auto g) {
+            sums[n] += im[g][0];
+            rotate(re[g][0], im[g][0], groups[g].stepRe, groups[g].stepIm);
+        });
+    }
+    forEach<count>([&](auto g) {
+        groups[g].re = re[g][0];
+        groups[g].im = im[g][0];
+    });
+}
+
+void driveAll(std::vector<ModalScratch::Group>& groups, float const* noise, Lanes* sums, int from, int to) {
+    std::size_t at = 0;
+    for (; at + 4 <= groups.size(); at += 4) {
+        drive<4>(&groups[at], noise, sums, from, to);
+    }
+    for (; at + 2 <= groups.size(); at += 2) {
+        drive<2>(&groups[at], noise, sums, from, to);
+    }
+    for (; at < groups.size(); ++at) {
+        drive<1>(&groups[at], noise, sums, from, to);
     }
 }
 
-// Computes several groups at a time, as each sample of a group depends on the previous one.
-template <bool driven, class Group>
-void turnAll(std::vector<Group>& groups, float const* noise, Lanes* sums, int from, int to) {
+// Four rotations at a time use the processor's registers.
+void ringAll(std::vector<ModalScratch::Group>& groups, Lanes* sums, int from, int to) {
     std::size_t at = 0;
     for (; at + 4 <= groups.size(); at += 4) {
-        turn<4, driven>(&groups[at], noise, sums, from, to);
+        ring<4, 1>(&groups[at], sums, from, to);
     }
     for (; at + 2 <= groups.size(); at += 2) {
-        turn<2, driven>(&groups[at], noise, sums, from, to);
+        ring<2, 2>(&groups[at], sums, from, to);
     }
     for (; at < groups.size(); ++at) {
-        turn<1, driven>(&groups[at], noise, sums, from, to);
+        ring<1, 4>(&groups[at], sums, from, to);
+    }
+}
+
+// Adds the sum of each sample's lanes, for four samples at a time: a transposition by halves.
+void addLanes(std::span<Lanes const> sums, std::span<float> out) {
+    std::size_t n = 0;
+    for (; n + laneCount <= out.size(); n += laneCount) {
+        Lanes const& a = sums[n];
+        Lanes const& b = sums[n + 1];
+        Lanes const& c = sums[n + 2];
+        Lanes const& d = sums[n + 3];
+        Lanes const ab =
+            __builtin_shufflevector(a, b, 0, 2, 4, 6) + __builtin_shufflevector(a, b, 1, 3, 5, 7);
+        Lanes const cd =
+            __builtin_shufflevector(c, d, 0, 2, 4, 6) + __builtin_shufflevector(c, d, 1, 3, 5, 7);
+        Lanes const all =
+            __builtin_shufflevector(ab, cd, 0, 2, 4, 6) + __builtin_shufflevector(ab, cd, 1, 3, 5, 7);
+        for (std::size_t i = 0; i < laneCount; ++i) {
+            out[n + i] += all[i];
+        }
+    }
+    for (; n < out.size(); ++n) {
+        Lanes const& sum = sums[n];
+        out[n] += (sum[0] + sum[1]) + (sum[2] + sum[3]);
     }
 }
 
@@ -84,7 +173,7 @@ void ModalBank::tune(std::span<Sounds::Ring const> rings, double pitch, double d
         Hearing const hearing = hearingAt(frequency);
         mode.bark = hearing.bark;
         mode.threshold = hearing.threshold;
-        mode.step = turned(mode, 1);
+        mode.step = 0;
         mode.leapSamples = 0;
         if (frequency >= rate_ / 2) {
             mode.state = 0;
@@ -92,8 +181,14 @@ void ModalBank::tune(std::span<Sounds::Ring const> rings, double pitch, double d
     }
 }
 
+// The sine and the exponential are computed in float, in half the time: the angle is within half a turn by
+// then, and the rotations of a block are carried out in float as well.
 std::complex<double> ModalBank::turned(Oscillator const& mode, double samples) const {
-    return std::polar(std::exp(-mode.decay * samples / rate_), 2 * pi * mode.frequency * samples / rate_);
+    double const turns = mode.frequency * samples / rate_;
+    auto const angle = static_cast<float>(2 * pi * (turns - std::nearbyint(turns)));
+    auto const magnitude = std::exp(static_cast<float>(-mode.decay * samples / rate_));
+    return {static_cast<double>(magnitude * std::cos(angle)),
+            static_cast<double>(magnitude * std::sin(angle))};
 }
 
 void ModalBank::strike(std::span<double const> amplitudes, double scale, int sample) {
@@ -119,7 +214,7 @@ void ModalBank::scrape(std::span<double const> amplitudes, double scale) {
 
 double ModalBank::power(std::size_t mode) const {
     Oscillator const& oscillator = modes_[mode];
-    double amplitude = std::abs(oscillator.state);
+    double amplitude = std::sqrt(std::norm(oscillator.state)); // std::abs would guard against overflow
     for (Impact const& impact : impacts_) {
         amplitude += std::abs(impact.amplitudes[mode]);
     }
@@ -127,17 +222,22 @@ double ModalBank::power(std::size_t mode) const {
     return amplitude * amplitude / 2 + settled;
 }
 
-void ModalBank::pack(std::span<std::uint8_t const> audible) {
-    packed_.clear();
+void ModalBank::pack(std::span<std::uint8_t const> audible, ModalScratch& scratch) {
+    std::vector<ModalScratch::Group>& groups = scratch.groups;
+    std::vector<std::uint32_t>& packed = scratch.packed;
+    packed.clear();
     for (std::uint32_t i = 0; i < modes_.size(); ++i) {
         if (audible[i] != 0) {
-            packed_.push_back(i);
+            packed.push_back(i);
         }
     }
-    groups_.assign((packed_.size() + laneCount - 1) / laneCount, Group{});
-    for (std::size_t i = 0; i < packed_.size(); ++i) {
-        Oscillator const& mode = modes_[packed_[i]];
-        Group& group = groups_[i / laneCount];
+    groups.assign((packed.size() + laneCount - 1) / laneCount, ModalScratch::Group{});
+    for (std::size_t i = 0; i < packed.size(); ++i) {
+        Oscillator& mode = modes_[packed[i]];
+        if (mode.step == 0.0) {
+            mode.step = turned(mode, 1);
+        }
+        ModalScratch::Group& group = groups[i / laneCount];
         std::size_t const lane = i % laneCount;
         group.re[lane] = static_cast<float>(mode.state.real());
         group.im[lane] = static_cast<float>(mode.state.imag());
@@ -169,52 +269,53 @@ void ModalBank::skip(Oscillator& mode, std::size_t index, int samples) const {
     }
 }
 
-std::size_t ModalBank::render(std::span<float> out, std::span<std::uint8_t const> audible,
-                              std::uint64_t seed) {
+std::size_t ModalBank::render(std::span<float> out, std::span<std::uint8_t const> audible, std::uint64_t seed,
+                              ModalScratch& scratch) {
     auto const samples = static_cast<int>(out.size());
-    pack(audible);
-    if (!groups_.empty()) {
-        sums_.assign(out.size(), Lanes{});
+    pack(audible, scratch);
+    std::vector<ModalScratch::Group>& groups = scratch.groups;
+    std::vector<std::uint32_t> const& packed = scratch.packed;
+    std::vector<Lanes>& sums = scratch.sums;
+    std::vector<float>& noise = scratch.noise;
+    if (!groups.empty()) {
+        sums.assign(out.size(), Lanes{});
         if (driven_) {
-            noise_.resize(out.size());
-            fillNoise(noise_, seed);
+            noise.resize(out.size());
+            fillNoise(noise, seed);
         }
         int at = 0;
         auto const runTo = [&](int to) {
             if (driven_) {
-                turnAll<true>(groups_, noise_.data(), sums_.data(), at, to);
+                driveAll(groups, noise.data(), sums.data(), at, to);
             } else {
-                turnAll<false>(groups_, nullptr, sums_.data(), at, to);
+                ringAll(groups, sums.data(), at, to);
             }
             at = to;
         };
         for (Impact const& impact : impacts_) {
             runTo(std::clamp(impact.sample, at, samples));
-            for (std::size_t i = 0; i < packed_.size(); ++i) {
-                groups_[i / laneCount].re[i % laneCount] += static_cast<float>(impact.amplitudes[packed_[i]]);
+            for (std::size_t i = 0; i < packed.size(); ++i) {
+                groups[i / laneCount].re[i % laneCount] += static_cast<float>(impact.amplitudes[packed[i]]);
             }
         }
         runTo(samples);
-        for (std::size_t n = 0; n < out.size(); ++n) {
-            Lanes const& sum = sums_[n];
-            out[n] += (sum[0] + sum[1]) + (sum[2] + sum[3]);
-        }
+        addLanes(sums, out);
     }
     bool const disturbed = driven_ || !impacts_.empty();
-    std::size_t packed = 0;
+    std::size_t next = 0; // of packed
     for (std::uint32_t i = 0; i < modes_.size(); ++i) {
         Oscillator& mode = modes_[i];
-        bool const rendered = packed < packed_.size() && packed_[packed] == i;
+        bool const rendered = next < packed.size() && packed[next] == i;
         if (rendered && disturbed) {
-            Group const& group = groups_[packed / laneCount];
-            mode.state = {static_cast<double>(group.re[packed % laneCount]),
-                          static_cast<double>(group.im[packed % laneCount])};
+            ModalScratch::Group const& group = groups[next / laneCount];
+            mode.state = {static_cast<double>(group.re[next % laneCount]),
+                          static_cast<double>(group.im[next % laneCount])};
         } else if (rendered) {
             leap(mode, samples);
         } else {
             skip(mode, i, samples);
         }
-        packed += rendered ? 1 : 0;
+        next += rendered ? 1 : 0;
         mode.drive = 0;
         if (std::norm(mode.state) < nothing) {
             mode.state = 0;
@@ -222,7 +323,7 @@ std::size_t ModalBank::render(std::span<float> out, std::span<std::uint8_t const
     }
     impacts_.clear();
     driven_ = false;
-    return packed_.size();
+    return packed.size();
 }
 
 } // namespace trembler

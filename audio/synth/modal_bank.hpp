@@ -11,6 +11,23 @@
 
 namespace trembler {
 
+/// Memory for the computation of a block, used by one bank after another: a few tens of kilobytes that remain
+/// in the nearest cache. Nothing in it lasts beyond a call of render().
+struct ModalScratch {
+    /// The audible modes, in lanes.
+    struct Group {
+        Lanes re;
+        Lanes im;
+        Lanes stepRe;
+        Lanes stepIm;
+        Lanes drive;
+    };
+    std::vector<Group> groups;
+    std::vector<std::uint32_t> packed; // which modes are in the groups
+    std::vector<Lanes> sums;
+    std::vector<float> noise;
+};
+
 /// Each mode is a complex number that rotates and decreases with every sample; its imaginary part is the
 /// sound. An impact adds to its real part, so that the pressure begins at zero. Used by one thread at a time.
 class ModalBank {
@@ -33,7 +50,8 @@ public:
 
     /// Adds the next block to `out`. Modes that are not `audible` continue silently and can become audible
     /// later, in phase. `seed` determines the noise. Returns the number of modes rendered.
-    std::size_t render(std::span<float> out, std::span<std::uint8_t const> audible, std::uint64_t seed);
+    std::size_t render(std::span<float> out, std::span<std::uint8_t const> audible, std::uint64_t seed,
+                       ModalScratch& scratch);
 
 private:
     struct Oscillator {
@@ -43,7 +61,7 @@ private:
         double threshold = 0;
         double drive = 0; // Pa/√s, of the next block
         std::complex<double> state;
-        std::complex<double> step; // of one sample
+        std::complex<double> step; // of one sample; 0: not computed
         std::complex<double> leap; // of leapSamples
         int leapSamples = 0;       // 0: not computed
     };
@@ -51,15 +69,7 @@ private:
         int sample = 0;
         std::vector<double> amplitudes;
     };
-    /// The audible modes, in lanes.
-    struct Group {
-        Lanes re;
-        Lanes im;
-        Lanes stepRe;
-        Lanes stepIm;
-        Lanes drive;
-    };
-    void pack(std::span<std::uint8_t const> audible);
+    void pack(std::span<std::uint8_t const> audible, ModalScratch& scratch);
     void leap(Oscillator& mode, int samples) const;
     void skip(Oscillator& mode, std::size_t index, int samples) const;
     [[nodiscard]] std::complex<double> turned(Oscillator const& mode, double samples) const;
@@ -68,10 +78,6 @@ private:
     std::vector<Oscillator> modes_;
     std::vector<Impact> impacts_; // ascending by sample
     bool driven_ = false;
-    std::vector<Group> groups_;         // members to reuse their memory
-    std::vector<std::uint32_t> packed_; // which modes are in the groups
-    std::vector<Lanes> sums_;
-    std::vector<float> noise_;
 };
 
 } // namespace trembler

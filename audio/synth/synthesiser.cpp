@@ -164,7 +164,7 @@ void Synthesiser::findAudible() {
 
 void Synthesiser::renderBody(ObjectId object, BodyVoice& voice, std::span<float> out) {
     std::uint64_t const seed = blocks_ * 0x100000001B3U + packed(object);
-    counts_.rendered += voice.bank.render(out, voice.audible, seed);
+    counts_.rendered += voice.bank.render(out, voice.audible, seed, scratch_);
     for (Click& click : voice.clicks) {
         // One period of a sine, which may continue in the next block. Each sample is computed from the two
         // before.

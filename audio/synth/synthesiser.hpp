@@ -114,6 +114,7 @@ private:
     std::map<ObjectId, BodyVoice> bodies_;
     std::map<std::uint64_t, RecordingVoice> recordingVoices_; // by serial
     Masker masker_;
+    ModalScratch scratch_;
     std::vector<Tone> tones_;           // a member to reuse its memory
     std::vector<std::uint8_t> audible_; // likewise
     std::vector<float> samples_;        // of all voices

@@ -17,9 +17,10 @@ constexpr int block = 800;
 std::vector<float> rendered(ModalBank& bank, int blocks, std::span<std::uint8_t const> audible = {}) {
     std::vector<std::uint8_t> const all(bank.size(), 1);
     std::vector<float> out(static_cast<std::size_t>(blocks * block), 0);
+    ModalScratch scratch;
     for (int b = 0; b < blocks; ++b) {
         bank.render(std::span(out).subspan(static_cast<std::size_t>(b * block), block),
-                    audible.empty() ? all : audible, static_cast<std::uint64_t>(b));
+                    audible.empty() ? all : audible, static_cast<std::uint64_t>(b), scratch);
     }
     return out;
 }
@@ -33,7 +34,7 @@ std::vector<Sounds::Ring> someRings(int count) {
 }
 
 TEST(ModalBank, IsTheSumOfDampedSines) {
-    for (int const count : {1, 3, 8, 13, 32}) {
+    for (int const count : {1, 3, 8, 9, 13, 21, 32}) {
         auto const rings = someRings(count);
         ModalBank bank(rate);
         bank.tune(rings, 1, 0);
@@ -103,18 +104,43 @@ TEST(ModalBank, ImpactsAddUpWhateverTheirOrder) {
     EXPECT_EQ(rendered(forth, 2), rendered(back, 2));
 }
 
+TEST(ModalBank, BanksThatShareScratchSoundAsAlone) {
+    std::vector<std::vector<float>> alone;
+    std::vector<std::vector<float>> shared;
+    ModalScratch scratch;
+    std::vector<ModalBank> banks;
+    auto const strike = [](ModalBank& bank, int modes) {
+        std::vector<double> const amplitudes(static_cast<std::size_t>(modes), 0.3);
+        bank.tune(someRings(modes), 1, 0);
+        bank.strike(amplitudes, 1, 11 * modes);
+        bank.scrape(amplitudes, modes % 2 == 0 ? 1 : 0); // some are driven by a noise
+    };
+    for (int const modes : {30, 1, 18, 5}) {
+        ModalBank bank(rate);
+        strike(bank, modes);
+        alone.push_back(rendered(bank, 1));
+        strike(banks.emplace_back(rate), modes);
+    }
+    for (ModalBank& bank : banks) {
+        std::vector<float>& out = shared.emplace_back(static_cast<std::size_t>(block), 0.F);
+        bank.render(out, std::vector<std::uint8_t>(bank.size(), 1), 0, scratch);
+    }
+    EXPECT_EQ(alone, shared);
+}
+
 TEST(ModalBank, ScrapingSettlesWhereDrivingAndDampingBalance) {
     std::vector<Sounds::Ring> const rings{{.frequency = 700, .decay = 30}};
     std::vector<double> const drive{0.8};
     ModalBank bank(rate);
     bank.tune(rings, 1, 0);
     std::vector<std::uint8_t> const all(1, 1);
+    ModalScratch scratch;
     double sum = 0;
     int counted = 0;
     for (int b = 0; b < 1200; ++b) {
         std::vector<float> out(block, 0);
         bank.scrape(drive, 1);
-        bank.render(out, all, static_cast<std::uint64_t>(b) * 77);
+        bank.render(out, all, static_cast<std::uint64_t>(b) * 77, scratch);
         if (b > 20) {
             sum += test::meanSquareIn(out);
             ++counted;
