@@ -63,12 +63,31 @@ double potential(std::vector<std::uint32_t> const& fromSource, std::vector<std::
     return at(fromReturn) / std::max(at(fromSource) + at(fromReturn), 1.0);
 }
 
-// The pairs that a joint with the look "none" connects, ascending.
+// Whether a joint holds its two objects against each other, so that a wire between them can run inside. A
+// rope, say, may be the wire itself: it bounds how far the ends can move apart.
+bool holdsTogether(JointForm form) {
+    switch (form) {
+    case JointForm::hinge:
+    case JointForm::weld:
+    case JointForm::slider:
+    case JointForm::wheel:
+        return true;
+    case JointForm::distance:
+    case JointForm::rope:
+    case JointForm::pulley:
+    case JointForm::gear:
+    case JointForm::spring:
+        return false;
+    }
+    return false;
+}
+
+// The pairs that a joint with the look "none" holds together, ascending.
 std::vector<std::pair<ObjectId, ObjectId>> hiddenTies(World const& world) {
     std::vector<std::pair<ObjectId, ObjectId>> pairs;
     if (auto const* const joints = world.store().findColumn<Joint>()) {
         for (Joint const& joint : joints->values()) {
-            if (joint.look.drawn == JointDrawn::none) {
+            if (joint.look.drawn == JointDrawn::none && holdsTogether(joint.form)) {
                 pairs.emplace_back(std::min(joint.a, joint.b), std::max(joint.a, joint.b));
             }
         }

@@ -18,7 +18,8 @@ struct Link {
     CallerCounts counts; ///< for each caller that connects them
     bool live = false;   ///< current flows through it
     bool forward = true; ///< the way it flows: from a to b
-    bool inside = false; ///< runs within a joint that is not drawn (look "none"), as in the links of a chain
+    bool inside = false; ///< runs within a joint that holds both and is not drawn (look "none"), as in the
+                         ///< links of a chain
 };
 
 /// All connections of a world's electricity graph, ascending by pair. Empty where there is no electricity.

@@ -48,19 +48,27 @@ TEST(SceneWires, AreDeadUntilTheCircuitIsClosed) {
     }
 }
 
-TEST(SceneWires, AreInsideAJointThatIsNotDrawn) {
-    for (JointDrawn const drawn : {JointDrawn::none, JointDrawn::own}) {
+TEST(SceneWires, AreInsideAJointThatIsNotDrawnAndHoldsTheTwoTogether) {
+    struct Case {
+        JointForm form;
+        JointDrawn drawn;
+        bool inside;
+    };
+    for (Case const& tried :
+         {Case{JointForm::weld, JointDrawn::none, true}, Case{JointForm::hinge, JointDrawn::none, true},
+          Case{JointForm::weld, JointDrawn::own, false},
+          Case{JointForm::rope, JointDrawn::none, false}}) { // as in the part "wire"
         ExperimentStage stage;
         ObjectId const first = stage.id["object 3"];
         ObjectId const second = stage.id["electromagnet"];
         ObjectId const made = stage.world.store().create("joint");
         stage.world.store().column<Joint>().set(
-            made, Joint{.form = JointForm::weld, .a = second, .b = first, .look = {.drawn = drawn}});
+            made, Joint{.form = tried.form, .a = second, .b = first, .look = {.drawn = tried.drawn}});
         std::vector<Link> const links = linksOf(stage.world);
         ASSERT_NE(find(links, first, second), nullptr);
         for (Link const& link : links) {
             bool const joined = &link == find(links, first, second);
-            EXPECT_EQ(link.inside, joined && drawn == JointDrawn::none);
+            EXPECT_EQ(link.inside, joined && tried.inside);
         }
     }
 }
