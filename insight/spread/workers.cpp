@@ -108,7 +108,7 @@ Team& alone() {
     return team;
 }
 
-int threadsFor(int asked) {
+int threadsAsked(int asked) {
     int const most = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
     return asked > 0 ? asked : most;
 }
@@ -116,7 +116,7 @@ int threadsFor(int asked) {
 } // namespace
 
 Workers::Workers(WorkersOptions options)
-    : options_(std::move(options)), threads_(threadsFor(options_.threads)),
+    : options_(std::move(options)), threads_(threadsAsked(options_.threads)),
       team_(options_.team == nullptr ? &alone() : options_.team) {}
 
 std::vector<std::optional<std::string>> Workers::share(std::span<std::string const> keys,

@@ -131,4 +131,10 @@ void caption(char const* text) {
     ImGui::PopStyleColor();
 }
 
+void smallCaption(char const* text) {
+    ImGui::PushFont(theme().fonts.small);
+    caption(text);
+    ImGui::PopFont();
+}
+
 } // namespace trembler::render

@@ -46,5 +46,7 @@ void goalLines(std::span<GoalLine const> lines);
 
 /// Wrapped text in the second-rank colour. Inside a card.
 void caption(char const* text);
+/// The same in the small font.
+void smallCaption(char const* text);
 
 } // namespace trembler::render

@@ -166,7 +166,20 @@ std::vector<std::string> Registry::connectionKinds() const {
     return kinds;
 }
 
+std::size_t Registry::registrations() const {
+    return components_.size() + properties_.size() + handOvers_.size() + shortcuts_.size() +
+           completions_.size() + connectors_.size();
+}
+
 void Registry::check() const {
+    std::size_t const all = registrations();
+    if (checked_.value.load(std::memory_order_relaxed) != all) {
+        checkAll();
+        checked_.value.store(all, std::memory_order_relaxed);
+    }
+}
+
+void Registry::checkAll() const {
     checkConnectors(connectors_);
     std::vector<PropertyInfo const*> slots;
     for (Registration const& r : components_) {

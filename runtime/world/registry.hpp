@@ -8,6 +8,8 @@
 #include "runtime/component/resolver.hpp"
 #include "runtime/component/rule_broken.hpp"
 
+#include <atomic>
+#include <cstddef>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -81,6 +83,29 @@ struct Connector {
     /// matter.
     void (*lay)(Store&, ObjectId, ObjectId);
 };
+
+namespace detail {
+
+/// A count for one registry, which a copy of the registry begins at zero. Threads may read and write it at
+/// once.
+class CountOfOne {
+public:
+    CountOfOne() = default;
+    ~CountOfOne() = default;
+    CountOfOne(CountOfOne const& /*other*/) {}
+    CountOfOne(CountOfOne&& /*other*/) noexcept {}
+    CountOfOne& operator=(CountOfOne const& /*other*/) {
+        value = 0;
+        return *this;
+    }
+    CountOfOne& operator=(CountOfOne&& /*other*/) noexcept {
+        value = 0;
+        return *this;
+    }
+    std::atomic<std::size_t> value = 0;
+};
+
+} // namespace detail
 
 /// The order of registration is part of the simulation: conflicting resolvers run, and calls are drained, in
 /// this order.
@@ -190,13 +215,16 @@ public:
     [[nodiscard]] PropertyInfo const* objectProperty(std::string_view key) const;
     /// Throws RuleBroken if any rule is broken: double writers, alternatives that offer only partly the same
     /// properties, two components of one name, two properties of one key, two effects with one kind of
-    /// connections, invalid shortcuts, completions without an order.
+    /// connections, invalid shortcuts, completions without an order. Every world calls it as it starts, and
+    /// several threads may; a registry that has passed is checked again only after another registration.
     void check() const;
 
 private:
     void add(Registration const& made);
     void add(CompletionInfo const& info);
     void know(PropertyInfo const& info);
+    void checkAll() const;
+    [[nodiscard]] std::size_t registrations() const;
 
     std::vector<Registration> components_;
     std::vector<PropertyInfo const*> properties_;
@@ -206,6 +234,9 @@ private:
     std::vector<ObjectRule> rules_;
     std::vector<Connector> connectors_;
     std::vector<std::string> extensions_;
+    /// How many registrations had passed the last check; nothing is ever removed. A search starts thousands
+    /// of worlds, and comparing all pairs of components takes nearly as long as the rest of a start.
+    mutable detail::CountOfOne checked_;
 };
 
 /// True if two registered components serve the same need, so that a world constructs one of them: resolvers

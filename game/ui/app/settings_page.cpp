@@ -28,12 +28,6 @@ bool check(UiContext& context, char const* label, char const* item, bool& value)
     return touched;
 }
 
-void smallCaption(char const* text) {
-    ImGui::PushFont(theme().fonts.small);
-    caption(text);
-    ImGui::PopFont();
-}
-
 /// A slider of percent; above it its name, and the number, which the knob would cover.
 bool drawVolume(UiContext& context, char const* label, char const* item, int& value) {
     ImGui::TextUnformatted(label);

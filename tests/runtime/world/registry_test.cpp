@@ -58,6 +58,18 @@ TEST(RegistryRules, TwoWritersOfOnePropertyAreRefusedByName) {
     expectRefusal(registry, {"A Resolver", "B Resolver", "both write Heat", "7.1.5"});
 }
 
+TEST(RegistryRules, AreCheckedAgainAfterAnotherRegistration) {
+    Registry registry;
+    registry.component<WritesHeatA>();
+    EXPECT_EQ(refusalOf(registry), "(accepted)");
+    EXPECT_EQ(refusalOf(registry), "(accepted)") << "nothing was added";
+    registry.component<WritesHeatB>();
+    expectRefusal(registry, {"A Resolver", "B Resolver", "both write Heat"});
+    expectRefusal(registry, {"A Resolver", "B Resolver", "both write Heat"}); // also the next time
+    registry.handOver<Heat, WritesHeatA, WritesHeatB>("each body is in one of them");
+    EXPECT_EQ(refusalOf(registry), "(accepted)");
+}
+
 TEST(RegistryRules, ADeclaredHandOverAllowsTwoWriters) {
     Registry registry;
     registry.component<WritesHeatA>();

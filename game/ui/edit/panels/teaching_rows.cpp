@@ -18,11 +18,11 @@ namespace {
 using namespace render;
 using edit::Json;
 
-struct StepKind {
+struct LessonStepKind {
     char const* key; // in level files
     char const* id;  // of its text
 };
-constexpr std::array<StepKind, 5> stepKinds{{{"place", "step.place"},
+constexpr std::array<LessonStepKind, 5> stepKinds{{{"place", "step.place"},
                                              {"wire", "step.wire"},
                                              {"run", "step.run"},
                                              {"grab", "step.grab"},
@@ -30,12 +30,12 @@ constexpr std::array<StepKind, 5> stepKinds{{{"place", "step.place"},
 
 std::string shownStep(std::string const& key) {
     auto const found = std::find_if(stepKinds.begin(), stepKinds.end(),
-                                    [&](StepKind const& kind) { return kind.key == key; });
+                                    [&](LessonStepKind const& kind) { return kind.key == key; });
     return found == stepKinds.end() ? key : text(found->id);
 }
 
 std::string kindOfStep(Json const& step) {
-    for (StepKind const& kind : stepKinds) {
+    for (LessonStepKind const& kind : stepKinds) {
         if (step.is_object() && step.contains(kind.key)) {
             return kind.key;
         }
@@ -149,7 +149,7 @@ void drawStep(EditParts& parts, Json const& stated, std::size_t index, std::size
 
 void drawAddStep(EditParts& parts) {
     std::vector<std::string> kinds;
-    for (StepKind const& kind : stepKinds) {
+    for (LessonStepKind const& kind : stepKinds) {
         kinds.emplace_back(kind.key);
     }
     std::string chosen;

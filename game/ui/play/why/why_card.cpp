@@ -126,12 +126,6 @@ bool drawRow(Row const& row, std::string const& id, bool chosen) {
     return clicked;
 }
 
-void smallCaption(char const* words) {
-    ImGui::PushFont(theme().fonts.small);
-    caption(words);
-    ImGui::PopFont();
-}
-
 } // namespace
 
 void WhyPanel::drawHead(Layout& layout, float& used) {
