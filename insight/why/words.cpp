@@ -124,6 +124,14 @@ std::string sentenceOf(Miss const& miss, std::string const& when, Tongue const& 
         return tongue.mix("{} lacked {}", {first, amount(3)}) + when;
     case Lack::force:
         return tongue.mix("{} pulled {} with {} less than its weight", {first, second, amount(2)}) + when;
+    case Lack::lift:
+        return tongue.mix(names.size() > 2
+                              ? "{} would have lifted {} there with {} less than the weight of it "
+                                "and all that it carries"
+                              : "{} would have lifted {} there with {} less than its weight",
+                          {first, second, amount(0)});
+    case Lack::torque:
+        return tongue.mix("the load turned {} with {} more than {} righted it", {second, amount(0), first});
     case Lack::count:
         return tongue.mix("the number was wrong by {}", {{tongue.number(miss.by, 0)}}) + when;
     case Lack::time:
@@ -155,7 +163,9 @@ nlohmann::ordered_json missJson(Miss const& miss, Tongue const& tongue) {
     nlohmann::ordered_json besides = nlohmann::ordered_json::array();
     for (Miss const& other : miss.besides) {
         nlohmann::ordered_json one = missJson(other, tongue);
-        one.erase("frame");
+        if (other.frame == 0) {
+            one.erase("frame"); // that of the whole
+        }
         besides.push_back(std::move(one));
     }
     if (!besides.empty()) {
@@ -164,13 +174,24 @@ nlohmann::ordered_json missJson(Miss const& miss, Tongue const& tongue) {
     return made;
 }
 
+/// A sentence for the miss and for each of what stood in the way besides; with a moment, if it is another.
+void addSentences(Miss const& miss, std::uint64_t told, Tongue const& tongue,
+                  std::vector<std::string>& sentences) {
+    std::uint64_t const at = miss.frame == 0 ? told : miss.frame;
+    std::string const when = at == told ? "" : tongue.fill(", at {} s", {secondsOf(at, tongue)});
+    sentences.push_back(capitalised(sentenceOf(miss, when, tongue)) + ".");
+    for (Miss const& other : miss.besides) {
+        addSentences(other, at, tongue, sentences);
+    }
+}
+
 } // namespace
 
 std::vector<std::string> sentencesOf(Miss const& miss, Tongue const& tongue) {
     std::string const when = tongue.fill(", at {} s", {secondsOf(miss.frame, tongue)});
     std::vector<std::string> sentences{capitalised(sentenceOf(miss, when, tongue)) + "."};
     for (Miss const& other : miss.besides) {
-        sentences.push_back(capitalised(sentenceOf(other, "", tongue)) + ".");
+        addSentences(other, miss.frame, tongue, sentences);
     }
     return sentences;
 }
