@@ -10,9 +10,9 @@ namespace trembler::insight {
 namespace dips_tests {
 namespace {
 
-/// A heavy bar that falls into water with two boxes welded below it, of these widths: a goal wants it to stay
-/// above the surface for a second.
-LevelFile raft(double left, double right) {
+/// A heavy bar that falls into water with two boxes welded below it, of these widths: a goal wants it not to
+/// go down for two seconds.
+LevelFile raft(double left, double right, double density) {
     auto const box = [](std::string const& name, double at, double width) {
         return R"({"name": ")" + name + R"(", "at": [)" + std::to_string(at) +
                R"(, -0.05], "properties": {"shape": [{"form": "box", "width": )" + std::to_string(width) +
@@ -24,12 +24,13 @@ LevelFile raft(double left, double right) {
     {"name": "water", "at": [0, -3.5],
      "properties": {"shape": [{"form": "box", "width": 16, "height": 6.5}], "density": 1000, "liquid": {}}},
     {"name": "bar", "at": [0, 0.2],
-     "properties": {"shape": [{"form": "box", "width": 0.4, "height": 0.1}], "density": 4000}},
+     "properties": {"shape": [{"form": "box", "width": 0.4, "height": 0.1}], "density": )" +
+                             std::to_string(density) + R"(}},
 )" + box("left", -left / 2, left) +
                              ", " + box("right", right / 2, right) + R"(],
   "joints": [{"form": "weld", "a": "bar", "b": "left", "at": [0, 0.15]},
              {"form": "weld", "a": "bar", "b": "right", "at": [0, 0.15]}],
-  "goals": {"inside": {"object": "bar", "area": [-5, -0.8, 10, 8]}, "for": 2, "id": "afloat"}})";
+  "goals": {"inside": {"object": "bar", "area": [-5, -1.5, 10, 8]}, "for": 2, "id": "afloat"}})";
     return readLevel(testedData().registry, JsonDocument::parse(text, "raft.json"));
 }
 
@@ -53,7 +54,7 @@ std::optional<Proof> proofOfDip(Answer const& answer, std::string const& object)
 }
 
 TEST(Dips, TheOneThatCarriesIsConfirmedAndTheOtherIsACoincidence) {
-    Answer const answer = whyAfloat(raft(1.2, 0.05));
+    Answer const answer = whyAfloat(raft(1.2, 0.05, 2000));
     ASSERT_TRUE(answer.happened);
     EXPECT_EQ(proofOfDip(answer, "left"), Proof::confirmed);
     EXPECT_EQ(proofOfDip(answer, "right"), std::nullopt);
@@ -61,14 +62,14 @@ TEST(Dips, TheOneThatCarriesIsConfirmedAndTheOtherIsACoincidence) {
 }
 
 TEST(Dips, TwoOfWhichEachWouldDoAreCausesTogether) {
-    Answer const answer = whyAfloat(raft(0.8, 0.8));
+    Answer const answer = whyAfloat(raft(0.8, 0.8, 2000));
     ASSERT_TRUE(answer.happened);
     EXPECT_EQ(proofOfDip(answer, "left"), Proof::together);
     EXPECT_EQ(proofOfDip(answer, "right"), Proof::together);
 }
 
 TEST(Dips, TwoOfWhichNeitherSufficesAreBothConfirmed) {
-    Answer const answer = whyAfloat(raft(0.25, 0.25));
+    Answer const answer = whyAfloat(raft(0.25, 0.25, 4000));
     ASSERT_TRUE(answer.happened);
     EXPECT_EQ(proofOfDip(answer, "left"), Proof::confirmed);
     EXPECT_EQ(proofOfDip(answer, "right"), Proof::confirmed);
