@@ -103,8 +103,11 @@ std::string gapsText(Miss const& miss, Tongue const& tongue) {
                        {joined});
 }
 
+/// How near a miss was to what it is about: of the whole run the nearest, or of what had held the farthest.
+enum class Extreme : std::uint8_t { nearest, farthest };
+
 /// What one miss says, with its moment.
-std::string sentenceOf(Miss const& miss, std::string const& when, Tongue const& tongue) {
+std::string sentenceOf(Miss const& miss, Extreme extreme, std::string const& when, Tongue const& tongue) {
     std::vector<std::string> const& names = miss.names;
     Said const first{names.empty() ? std::string() : names.front(), true};
     Said const second{names.size() < 2 ? std::string() : names[1], true};
@@ -114,8 +117,11 @@ std::string sentenceOf(Miss const& miss, std::string const& when, Tongue const& 
     switch (miss.lack) {
     case Lack::distance: {
         Said const by{tongue.distance(miss.by)};
-        return (names.size() > 1 ? tongue.mix("{} came within {} of {}", {first, by, second})
-                                 : tongue.mix("{} was {} short of where it should be", {first, by})) +
+        if (names.size() < 2) {
+            return tongue.mix("{} was {} short of where it should be", {first, by}) + when;
+        }
+        return (extreme == Extreme::nearest ? tongue.mix("{} came within {} of {}", {first, by, second})
+                                            : tongue.mix("{} was {} away from {}", {first, by, second})) +
                when;
     }
     case Lack::gap:
@@ -174,14 +180,16 @@ nlohmann::ordered_json missJson(Miss const& miss, Tongue const& tongue) {
     return made;
 }
 
-/// A sentence for the miss and for each of what stood in the way besides; with a moment, if it is another.
-void addSentences(Miss const& miss, std::uint64_t told, Tongue const& tongue,
+/// A sentence for the miss and for each of what stood in the way besides; with a moment, if it is another:
+/// then it is of what had held (see Aftermath).
+void addSentences(Miss const& miss, Extreme extreme, std::uint64_t told, Tongue const& tongue,
                   std::vector<std::string>& sentences) {
-    std::uint64_t const at = miss.frame == 0 ? told : miss.frame;
-    std::string const when = at == told ? "" : tongue.fill(", at {} s", {secondsOf(at, tongue)});
-    sentences.push_back(capitalised(sentenceOf(miss, when, tongue)) + ".");
+    bool const later = miss.frame != 0 && miss.frame != told;
+    std::string const when = later ? tongue.fill(", at {} s", {secondsOf(miss.frame, tongue)}) : "";
+    Extreme const here = later ? Extreme::farthest : extreme;
+    sentences.push_back(capitalised(sentenceOf(miss, here, when, tongue)) + ".");
     for (Miss const& other : miss.besides) {
-        addSentences(other, at, tongue, sentences);
+        addSentences(other, here, later ? miss.frame : told, tongue, sentences);
     }
 }
 
@@ -189,9 +197,9 @@ void addSentences(Miss const& miss, std::uint64_t told, Tongue const& tongue,
 
 std::vector<std::string> sentencesOf(Miss const& miss, Tongue const& tongue) {
     std::string const when = tongue.fill(", at {} s", {secondsOf(miss.frame, tongue)});
-    std::vector<std::string> sentences{capitalised(sentenceOf(miss, when, tongue)) + "."};
+    std::vector<std::string> sentences{capitalised(sentenceOf(miss, Extreme::nearest, when, tongue)) + "."};
     for (Miss const& other : miss.besides) {
-        addSentences(other, miss.frame, tongue, sentences);
+        addSentences(other, Extreme::nearest, miss.frame, tongue, sentences);
     }
     return sentences;
 }

@@ -184,6 +184,8 @@ TEST(WhyExperiments, ALoadOnTheLeftEndIsWhyTheRaftGoesUnder) {
     EXPECT_NE(words.find("The water body would have lifted the raft body there with "), std::string::npos)
         << words;
     EXPECT_NE(words.find("The load turned the raft body with "), std::string::npos) << words;
+    EXPECT_NE(words.find(" m away from the raft body"), std::string::npos) << words;
+    EXPECT_EQ(words.find("came within"), std::string::npos) << "all boxes had touched it: " << words;
     Miss const& sunk = answer.nearest->nearest.besides.front();
     ASSERT_EQ(sunk.besides.size(), 2U);
     EXPECT_EQ(sunk.besides.front().lack, Lack::lift);
