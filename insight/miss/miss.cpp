@@ -9,15 +9,17 @@ struct LackText {
     std::string_view name;
     std::string_view unit;
 };
-constexpr std::array<LackText, 9> lackTexts{{{"nothing", ""},
-                                             {"distance", "m"},
-                                             {"gap", "m"},
-                                             {"power", "W"},
-                                             {"force", "N"},
-                                             {"count", ""},
-                                             {"time", "s"},
-                                             {"steps", ""},
-                                             {"change", ""}}};
+constexpr std::array<LackText, 11> lackTexts{{{"nothing", ""},
+                                              {"distance", "m"},
+                                              {"gap", "m"},
+                                              {"power", "W"},
+                                              {"force", "N"},
+                                              {"lift", "N"},
+                                              {"torque", "N m"},
+                                              {"count", ""},
+                                              {"time", "s"},
+                                              {"steps", ""},
+                                              {"change", ""}}};
 
 } // namespace
 

@@ -19,6 +19,8 @@ enum class Lack : std::uint8_t {
     gap,      ///< m, of all gaps of a circuit
     power,    ///< W, until an object in a closed circuit is on
     force,    ///< N, that a magnet's pull is less than a weight
+    lift,     ///< N, that a liquid's lift is less than a weight
+    torque,   ///< N m, by which a load turns something more than a liquid rights it
     count,    ///< of objects for which a condition must hold, or must not
     time,     ///< s, for which a condition must hold without a break
     steps,    ///< of a sequence
@@ -43,7 +45,7 @@ struct Miss {
     Vec2 from;                    ///< m, in the world: distance, from here ...
     Vec2 to;                      ///< ... to here
     std::vector<CircuitGap> gaps; ///< of a circuit
-    std::vector<Miss> besides;    ///< what else stood in the way: a magnet that was off
+    std::vector<Miss> besides;    ///< what else stood in the way: a magnet that was off; see Aftermath
     std::size_t child = noChild;  ///< of several conditions, the one that this is about
     static constexpr std::size_t noChild = static_cast<std::size_t>(-1);
 };

@@ -1,16 +1,18 @@
 #include "insight/miss/miss_meter.hpp"
 
+#include "insight/miss/lift.hpp"
 #include "puzzle/goals/read_goals.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace trembler::insight {
 
-MissMeter::MissMeter(LevelFile const& level, World const& world)
-    : condition_(readGoals(level)), ticks_(world.ticks()) {
+MissMeter::MissMeter(LevelFile const& level, World const& world, For what)
+    : condition_(readGoals(level)), what_(what), ticks_(world.ticks()) {
     if (!condition_) {
         return;
     }
@@ -26,9 +28,36 @@ MissMeter::MissMeter(LevelFile const& level, World const& world)
         made.nearest.measure = 2; // anything is nearer
         result_.goals.push_back(std::move(made));
     }
+    after_.resize(result_.goals.size());
 }
 
 MissMeter::~MissMeter() = default;
+
+ConditionMiss const& MissMeter::conditionOf(std::size_t goal) const {
+    return split_ ? miss_->children()[goal] : *miss_;
+}
+
+void MissMeter::keepNearest(std::size_t goal, Miss miss, World const& world) {
+    Miss& nearest = result_.goals[goal].nearest;
+    nearest = std::move(miss);
+    nearest.frame = world.frame();
+    if (what_ == For::explanation) {
+        addLift(nearest, world);
+        after_[goal].end();
+        if (nearest.lack == Lack::time) {
+            double const frames = std::ceil(nearest.by / frameDuration);
+            after_[goal].begin(conditionOf(goal), world.frame(), static_cast<std::uint64_t>(frames));
+        }
+    }
+    nameObjects(nearest, world.store());
+}
+
+GoalMiss MissMeter::explained(std::size_t goal) const {
+    GoalMiss made = result_.goals.at(goal);
+    std::vector<Miss> const ended = after_[goal].misses();
+    made.nearest.besides.insert(made.nearest.besides.end(), ended.begin(), ended.end());
+    return made;
+}
 
 void MissMeter::look(World const& world) {
     if (miss_ == nullptr || result_.measure <= 0) {
@@ -47,16 +76,15 @@ void MissMeter::look(World const& world) {
             continue;
         }
         bool const met = split_ ? condition_->kind->standingOf(*state_, i).holds : state_->met();
-        Miss now = split_ ? miss_->children()[i].now(world, circuits_) : whole;
+        after_[i].look(world, circuits_);
+        Miss now = split_ ? conditionOf(i).now(world, circuits_) : whole;
         if (met) {
             goal.met = world.frame();
             now.measure = 0;
             now.lack = Lack::nothing;
         }
         if (now.measure < goal.nearest.measure) {
-            goal.nearest = std::move(now);
-            goal.nearest.frame = world.frame();
-            nameObjects(goal.nearest, world.store());
+            keepNearest(i, std::move(now), world);
         }
     }
 }

@@ -1,7 +1,7 @@
 // The nearest miss of each goal in a run.
 #pragma once
 
-#include "insight/miss/condition_miss.hpp"
+#include "insight/miss/aftermath.hpp"
 #include "insight/run/level_runs.hpp"
 
 #include <memory>
@@ -31,9 +31,15 @@ struct LevelMiss {
 /// Measures a run frame by frame: a pure function of what happens in it. Not thread-safe.
 class MissMeter {
 public:
+    /// What is asked of it: a search needs no more than the measure of each run.
+    enum class For : std::uint8_t {
+        measure,     ///< the nearest misses
+        explanation, ///< also what a liquid lacked, and what ended a goal that held for too short a time
+    };
+
     /// Sets itself up for a world that was built from the level, before its first frame. `level` must outlive
     /// it. Throws InputError if the goals are wrong.
-    MissMeter(LevelFile const& level, World const& world);
+    MissMeter(LevelFile const& level, World const& world, For what = For::measure);
     ~MissMeter();
     MissMeter(MissMeter const&) = delete;
     MissMeter& operator=(MissMeter const&) = delete;
@@ -41,13 +47,22 @@ public:
     /// To be called after every frame.
     void look(World const& world);
     [[nodiscard]] LevelMiss const& result() const { return result_; }
+    /// The nearest miss of a goal, by its place in the result, with what ended it among what stood in the way
+    /// besides.
+    [[nodiscard]] GoalMiss explained(std::size_t goal) const;
 
 private:
+    /// Notes the nearest miss of a goal so far, and what there is to say of it.
+    void keepNearest(std::size_t goal, Miss miss, World const& world);
+    [[nodiscard]] ConditionMiss const& conditionOf(std::size_t goal) const;
+
     std::optional<Condition> condition_;
     std::unique_ptr<ConditionState> state_;
     std::unique_ptr<ConditionMiss> miss_;
     CircuitSight circuits_;
-    bool split_ = false; // each child of the condition is a goal
+    For what_ = For::measure;
+    std::vector<Aftermath> after_; // of each goal
+    bool split_ = false;           // each child of the condition is a goal
     LevelMiss result_;
     std::uint64_t ticks_ = 0;
 };

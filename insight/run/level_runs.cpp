@@ -1,6 +1,7 @@
 #include "insight/run/level_runs.hpp"
 
 #include "insight/run/contacts_left_out.hpp"
+#include "insight/run/dips_left_out.hpp"
 #include "insight/run/reduced_level.hpp"
 #include "lua/attach/live_script.hpp"
 #include "lua/attach/register.hpp"
@@ -19,22 +20,31 @@ namespace {
 
 constexpr std::uint64_t minute = 3600; // frames
 
-/// The contacts that are left out, in a running world.
-class ContactsGone {
+/// The contacts and dips that are left out, in a running world.
+class TouchesGone {
 public:
-    explicit ContactsGone(std::vector<LeftOut> const& wanted) : wanted_(wanted) {}
+    explicit TouchesGone(std::vector<LeftOut> const& wanted) : wanted_(wanted) {}
 
     /// Lets those begin to be missing that are due in the next frame.
     void beforeFrame(LevelRun& run) {
         std::uint64_t const next = run.world().frame() + 1;
+        std::vector<Dip> dips;
         bool more = false;
         for (; done_ < wanted_.size() && wanted_[done_].from <= next; ++done_) {
             Store const& store = run.world().store();
             ObjectPair const pair{store.find(wanted_[done_].a), store.find(wanted_[done_].b)};
-            if (pair.first.valid() && pair.second.valid()) { // else one of them does not exist in this run
+            if (!pair.first.valid() || !pair.second.valid()) {
+                continue; // one of them does not exist in this run
+            }
+            if (wanted_[done_].kind == LeftOut::Kind::dip) {
+                dips.push_back(pair);
+            } else {
                 pairs_.push_back(pair);
                 more = true;
             }
+        }
+        if (!dips.empty()) {
+            run.alter("dips are left out", [&](World& world) { leaveOutDips(world, dips); });
         }
         if (more) {
             run.alter("contacts are left out", [&](World& world) { leaveOutContacts(world, pairs_); });
@@ -128,7 +138,7 @@ RunResult LevelRuns::run(Variation const& variation, RunLimits const& limits,
         LevelRun run(registryWithout(left.effects), parts_, left.level, left.solution.placements, options,
                      left.solution.wires);
         Playback const playback(left.solution.inputs, left.solution.changes);
-        ContactsGone contacts(left.contacts);
+        TouchesGone touches(left.touches);
         if (observer.begin) {
             observer.begin(run);
         }
@@ -136,7 +146,7 @@ RunResult LevelRuns::run(Variation const& variation, RunLimits const& limits,
         bool goesOn = true;
         while (goesOn && run.world().frame() < limits.frames &&
                !(limits.stopWhenSolved && run.judge().solved())) {
-            contacts.beforeFrame(run);
+            touches.beforeFrame(run);
             playback.feed(run);
             run.step();
             goesOn = !observer.frame || observer.frame(run);

@@ -77,13 +77,14 @@ ReducedLevel reduced(LevelFile const& level, Variation const& variation) {
             left.effects.insert(one.a);
             break;
         case LeftOut::Kind::contact:
-            left.contacts.push_back(one);
+        case LeftOut::Kind::dip:
+            left.touches.push_back(one);
             break;
         default:
             indices[one.kind].insert(one.index);
         }
     }
-    std::sort(left.contacts.begin(), left.contacts.end(),
+    std::sort(left.touches.begin(), left.touches.end(),
               [](LeftOut const& x, LeftOut const& y) { return x.from < y.from; });
     eraseThose(left.solution.placements, indices[LeftOut::Kind::placement], "placement");
     eraseThose(left.solution.wires, indices[LeftOut::Kind::wire], "wire");

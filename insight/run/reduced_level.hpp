@@ -14,7 +14,7 @@ struct ReducedLevel {
     LevelFile level;
     Solution solution;
     std::set<std::string> effects; ///< left out
-    std::vector<LeftOut> contacts; ///< left out, ascending by their first frame
+    std::vector<LeftOut> touches;  ///< contacts and dips left out, ascending by their first frame
 };
 
 /// Takes a variation's placements, wires, inputs, objects, joints and connections out. With an object go its

@@ -55,6 +55,13 @@ LeftOut withoutContact(std::string a, std::string b, std::uint64_t from) {
     return made;
 }
 
+LeftOut withoutDip(std::string object, std::string liquid, std::uint64_t from) {
+    LeftOut made = leftOutNamed(LeftOut::Kind::dip, std::move(object));
+    made.b = std::move(liquid);
+    made.from = from;
+    return made;
+}
+
 LeftOut withoutEffect(std::string name) {
     return leftOutNamed(LeftOut::Kind::effect, std::move(name));
 }

@@ -20,13 +20,14 @@ struct LeftOut {
         joint,      ///< of the level, by index
         connection, ///< of the level, by index
         contact,    ///< two objects pass through each other from a frame on, by their names
+        dip,        ///< a liquid does not act on an object from a frame on, by their names
         effect,     ///< of physics, by name, see dispensableGameEffects()
     };
     Kind kind = Kind::placement;
     std::size_t index = 0;  ///< in the solution's or the level's list
-    std::string a{};        ///< object and contact: a name; effect: its name
-    std::string b{};        ///< contact: the other name
-    std::uint64_t from = 1; ///< contact: the first frame without it
+    std::string a{};        ///< object, contact, dip: a name; effect: its name
+    std::string b{};        ///< contact: the other name; dip: the liquid's
+    std::uint64_t from = 1; ///< contact, dip: the first frame without it
 
     friend auto operator<=>(LeftOut const&, LeftOut const&) = default;
 };
@@ -39,6 +40,7 @@ struct LeftOut {
 [[nodiscard]] LeftOut withoutConnection(std::size_t index);
 /// The names in either order.
 [[nodiscard]] LeftOut withoutContact(std::string a, std::string b, std::uint64_t from = 1);
+[[nodiscard]] LeftOut withoutDip(std::string object, std::string liquid, std::uint64_t from = 1);
 [[nodiscard]] LeftOut withoutEffect(std::string name);
 
 /// The order of `leftOut` does not matter, and neither do repeats.

@@ -90,11 +90,15 @@ void Stage::rebuild() {
     callers_ = std::make_unique<CallerNames>(names);
 }
 
-void Stage::show(Recording const& recording, std::uint64_t frame) {
-    RecordedFrame const& recorded = recording.at(frame);
+void Stage::prepare() {
     if (!run_) {
         rebuild();
     }
+}
+
+void Stage::show(Recording const& recording, std::uint64_t frame) {
+    RecordedFrame const& recorded = recording.at(frame);
+    prepare();
     std::vector<RecordedPart> const& parts = recording.parts();
     auto const wordsOf = [&](std::size_t part) {
         SharedWords const stated = part < recorded.values.size() ? recorded.values[part] : nullptr;

@@ -25,6 +25,9 @@ public:
     /// Shows the frame of the recording that is nearest to `frame`. The recording must be of a run that was
     /// built in the same way. Throws InputError if the run cannot be built again.
     void show(Recording const& recording, std::uint64_t frame);
+    /// Makes the run that show() would make first, so that showing the first frame takes no longer than
+    /// showing others. Throws as show() does.
+    void prepare();
     /// To be called when the recording begins again.
     void forget();
 

@@ -32,18 +32,31 @@ bool isElsewhere(Store const& real, Store const& other, ObjectId object) {
 }
 
 OtherRun::OtherRun(Registry const& registry, Session const& session, WhatIf whatIf)
-    : registry_(registry), session_(session), whatIf_(std::move(whatIf)),
-      real_(buildAgain(registry, session)), other_(buildAgain(registry, session)) {
-    real_->begin();
-    other_->begin();
+    : registry_(registry), session_(session), whatIf_(std::move(whatIf)) {
     objectsOnly_ = std::any_of(whatIf_.changes.begin(), whatIf_.changes.end(),
                                [](Change const& each) { return each.kind == Change::Kind::interaction; });
-    if (whatIf_.frame == 0) {
-        change();
+}
+
+bool OtherRun::build() {
+    if (real_ == nullptr) {
+        real_ = buildAgain(registry_, session_);
+        real_->begin();
+        return true;
     }
+    if (other_ == nullptr) {
+        other_ = buildAgain(registry_, session_);
+        other_->begin();
+        if (whatIf_.frame == 0) {
+            change();
+        }
+    }
+    return false;
 }
 
 bool OtherRun::advance(std::uint64_t most, std::uint64_t last) {
+    while (!built()) {
+        build();
+    }
     for (; most > 0 && frame() < last; --most) {
         step();
         if (frame() == whatIf_.frame) {

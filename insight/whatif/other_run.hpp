@@ -33,21 +33,28 @@ public:
     static constexpr std::size_t mostPoints = 4000;                  ///< of one path
 
     /// All but the what-if must outlive it; the session's run must not end before, and must not have been
-    /// altered. Throws InputError if its world cannot be built any more.
+    /// altered.
     OtherRun(Registry const& registry, Session const& session, WhatIf whatIf);
 
-    /// Computes at most `most` frames of both runs, up to the frame `last`, which the session has computed.
-    /// True if there is more to compute.
+    /// Builds the next one of its worlds, so that whoever draws in between never waits for both. True if
+    /// there is another to be built. Throws InputError if the world cannot be built any more.
+    bool build();
+    [[nodiscard]] bool built() const { return other_ != nullptr; }
+    /// How many worlds it builds.
+    static constexpr int worlds = 2;
+
+    /// Builds what is still to be built, as build() does, and computes at most `most` frames of both runs, up
+    /// to the frame `last`, which the session has computed. True if there is more to compute.
     bool advance(std::uint64_t most, std::uint64_t last);
 
     [[nodiscard]] WhatIf const& whatIf() const { return whatIf_; }
     /// The last frame that it has computed.
-    [[nodiscard]] std::uint64_t frame() const { return other_->world().frame(); }
+    [[nodiscard]] std::uint64_t frame() const { return built() ? other_->world().frame() : 0; }
     /// Whether it has come to the moment, so that there is something to be seen.
     [[nodiscard]] bool begun() const { return recording_.begun(); }
     /// From the moment on: its frame is as it is after the changes.
     [[nodiscard]] Recording const& recording() const { return recording_; }
-    /// As it is after the last computed frame.
+    /// As it is after the last computed frame. Only if it is built, as for what follows.
     [[nodiscard]] LevelRun const& run() const { return *other_; }
 
     /// The first frame whose state has another hash than in the real run; nothing if there is none so far. An

@@ -63,7 +63,7 @@ std::vector<Candidate> candidatesOf(Story const& story, SceneFacts const& facts,
                                     bool everything) {
     std::vector<Candidate> all;
     std::map<Pair, std::size_t> contacts;
-    std::vector<std::size_t> immersed;
+    std::map<Pair, std::size_t> dips;
     std::vector<std::size_t> const& proximate = story.askedStep().because;
     for (std::size_t i = 0; i < story.steps.size(); ++i) {
         Step const& step = story.steps[i];
@@ -94,10 +94,16 @@ std::vector<Candidate> candidatesOf(Story const& story, SceneFacts const& facts,
             break;
         }
         case StepKind::liquid:
-            if (i != story.asked) {
-                immersed.push_back(i);
+            if (i == story.asked || step.objects.size() != 2) {
+                continue;
             }
-            continue;
+            if (auto const [at, isNew] = dips.emplace(Pair(step.objects[0], step.objects[1]), all.size());
+                !isNew) {
+                all[at->second].steps.push_back(i);
+                continue;
+            }
+            leftOut = {withoutDip(step.objects[0], step.objects[1], step.frame)};
+            break;
         case StepKind::placed:
             leftOut = {withoutPlacement(facts.placementOf.at(step.objects.front()))};
             break;
@@ -116,10 +122,6 @@ std::vector<Candidate> candidatesOf(Story const& story, SceneFacts const& facts,
         if (!leftOut.empty()) {
             all.push_back({std::move(leftOut), {i}});
         }
-    }
-    if (!immersed.empty()) {
-        bool const several = immersed.size() > 1;
-        all.push_back({{withoutEffect("buoyancy")}, std::move(immersed), several});
     }
     return all;
 }

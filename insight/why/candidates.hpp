@@ -12,11 +12,10 @@ namespace trembler::insight {
 struct Candidate {
     std::vector<LeftOut> leftOut;
     std::vector<std::size_t> steps; ///< of the story: all contacts of the pair, the placement, the input
-    bool several = false;           ///< the steps are of several things, which cannot be left out one by one
 };
 
-/// The pairs of objects that touch in the story, the placements, the inputs, and all that dips into liquids,
-/// together: without it liquids lift nothing. A pair is left out from the
+/// The pairs of objects that touch in the story, the placements, the inputs, and the dips of each object into
+/// each liquid. A pair is left out from the
 /// first frame in which it touches in the run, so that until then the runs are the same. Contacts with fixed
 /// objects of the level that conduct nothing are taken for granted, like gravity, unless `everything` is
 /// asked for; and those that are the asked goal itself are not candidates, as it would be no goal without

@@ -156,7 +156,7 @@ Target findTarget(LevelRuns const& runs, Solution const& solution, Question cons
     observer.begin = [&](LevelRun const& run) {
         answer.facts = factsOf(run);
         if (aboutGoal) {
-            meter = std::make_unique<MissMeter>(runs.level(), run.world());
+            meter = std::make_unique<MissMeter>(runs.level(), run.world(), MissMeter::For::explanation);
         }
     };
     observer.frame = [&](LevelRun const& run) {
@@ -199,9 +199,9 @@ Target findTarget(LevelRuns const& runs, Solution const& solution, Question cons
         if (met != events.end()) {
             describe(target, events, *met, answer.facts);
         }
-        for (GoalMiss const& goal : meter->result().goals) {
-            if (goal.id == *target.goal && met == events.end()) {
-                answer.nearest = goal;
+        for (std::size_t i = 0; i < meter->result().goals.size(); ++i) {
+            if (meter->result().goals[i].id == *target.goal && met == events.end()) {
+                answer.nearest = meter->explained(i);
             }
         }
     };

@@ -196,7 +196,7 @@ std::vector<Proof> SecondRuns::test(std::vector<Candidate> const& candidates) {
             mark(i, Proof::refuted);
             refuted.push_back(i);
         } else if (outcomes[i].kind == Outcome::Kind::prevented) {
-            mark(i, candidates[i].several ? Proof::together : Proof::confirmed);
+            mark(i, Proof::confirmed);
         }
     }
     for (std::size_t i = 0; i < candidates.size(); ++i) {

@@ -103,8 +103,11 @@ std::string gapsText(Miss const& miss, Tongue const& tongue) {
                        {joined});
 }
 
+/// How near a miss was to what it is about: of the whole run the nearest, or of what had held the farthest.
+enum class Extreme : std::uint8_t { nearest, farthest };
+
 /// What one miss says, with its moment.
-std::string sentenceOf(Miss const& miss, std::string const& when, Tongue const& tongue) {
+std::string sentenceOf(Miss const& miss, Extreme extreme, std::string const& when, Tongue const& tongue) {
     std::vector<std::string> const& names = miss.names;
     Said const first{names.empty() ? std::string() : names.front(), true};
     Said const second{names.size() < 2 ? std::string() : names[1], true};
@@ -114,8 +117,11 @@ std::string sentenceOf(Miss const& miss, std::string const& when, Tongue const& 
     switch (miss.lack) {
     case Lack::distance: {
         Said const by{tongue.distance(miss.by)};
-        return (names.size() > 1 ? tongue.mix("{} came within {} of {}", {first, by, second})
-                                 : tongue.mix("{} was {} short of where it should be", {first, by})) +
+        if (names.size() < 2) {
+            return tongue.mix("{} was {} short of where it should be", {first, by}) + when;
+        }
+        return (extreme == Extreme::nearest ? tongue.mix("{} came within {} of {}", {first, by, second})
+                                            : tongue.mix("{} was {} away from {}", {first, by, second})) +
                when;
     }
     case Lack::gap:
@@ -124,6 +130,14 @@ std::string sentenceOf(Miss const& miss, std::string const& when, Tongue const& 
         return tongue.mix("{} lacked {}", {first, amount(3)}) + when;
     case Lack::force:
         return tongue.mix("{} pulled {} with {} less than its weight", {first, second, amount(2)}) + when;
+    case Lack::lift:
+        return tongue.mix(names.size() > 2
+                              ? "{} would have lifted {} there with {} less than the weight of it "
+                                "and all that it carries"
+                              : "{} would have lifted {} there with {} less than its weight",
+                          {first, second, amount(0)});
+    case Lack::torque:
+        return tongue.mix("the load turned {} with {} more than {} righted it", {second, amount(0), first});
     case Lack::count:
         return tongue.mix("the number was wrong by {}", {{tongue.number(miss.by, 0)}}) + when;
     case Lack::time:
@@ -155,7 +169,9 @@ nlohmann::ordered_json missJson(Miss const& miss, Tongue const& tongue) {
     nlohmann::ordered_json besides = nlohmann::ordered_json::array();
     for (Miss const& other : miss.besides) {
         nlohmann::ordered_json one = missJson(other, tongue);
-        one.erase("frame");
+        if (other.frame == 0) {
+            one.erase("frame"); // that of the whole
+        }
         besides.push_back(std::move(one));
     }
     if (!besides.empty()) {
@@ -164,13 +180,26 @@ nlohmann::ordered_json missJson(Miss const& miss, Tongue const& tongue) {
     return made;
 }
 
+/// A sentence for the miss and for each of what stood in the way besides; with a moment, if it is another:
+/// then it is of what had held (see Aftermath).
+void addSentences(Miss const& miss, Extreme extreme, std::uint64_t told, Tongue const& tongue,
+                  std::vector<std::string>& sentences) {
+    bool const later = miss.frame != 0 && miss.frame != told;
+    std::string const when = later ? tongue.fill(", at {} s", {secondsOf(miss.frame, tongue)}) : "";
+    Extreme const here = later ? Extreme::farthest : extreme;
+    sentences.push_back(capitalised(sentenceOf(miss, here, when, tongue)) + ".");
+    for (Miss const& other : miss.besides) {
+        addSentences(other, here, later ? miss.frame : told, tongue, sentences);
+    }
+}
+
 } // namespace
 
 std::vector<std::string> sentencesOf(Miss const& miss, Tongue const& tongue) {
     std::string const when = tongue.fill(", at {} s", {secondsOf(miss.frame, tongue)});
-    std::vector<std::string> sentences{capitalised(sentenceOf(miss, when, tongue)) + "."};
+    std::vector<std::string> sentences{capitalised(sentenceOf(miss, Extreme::nearest, when, tongue)) + "."};
     for (Miss const& other : miss.besides) {
-        sentences.push_back(capitalised(sentenceOf(other, "", tongue)) + ".");
+        addSentences(other, Extreme::nearest, miss.frame, tongue, sentences);
     }
     return sentences;
 }

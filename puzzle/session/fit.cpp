@@ -12,6 +12,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
+#include <span>
 #include <vector>
 
 namespace trembler {
@@ -49,10 +51,10 @@ bool onSpringsOnly(World const& world, ObjectId id) {
     return hold.yes();
 }
 
-/// The same of a piece of a part that is to be placed.
-bool onSpringsOnly(PartLibrary const& parts, Placement const& placement, std::size_t piece) {
+/// The same of a piece of a part that is to be placed, by the part's joints.
+bool onSpringsOnly(std::span<PropertySet const> joints, std::size_t piece) {
     SpringsOnly hold;
-    for (PropertySet const& properties : placedJoints(parts, placement)) {
+    for (PropertySet const& properties : joints) {
         Joint const* const joint = properties.find<Joint>();
         if (joint != nullptr && (joint->a.index == piece || joint->b.index == piece)) {
             hold.see(*joint);
@@ -122,6 +124,7 @@ std::optional<std::string> overlapped(World const& world, FittingPiece const& ca
 std::optional<std::string> whyItDoesNotFit(World const& world, PartLibrary const& parts,
                                            Placement const& placement, std::span<ObjectId const> ignored) {
     std::vector<PlacedPiece> const pieces = placedPieces(parts, placement);
+    std::optional<std::vector<PropertySet>> joints; // of the part, once a piece of it may hang on springs
     for (std::size_t i = 0; i < pieces.size(); ++i) {
         PlacedPiece const& piece = pieces[i];
         Shape const* const shape = piece.properties.find<Shape>();
@@ -133,7 +136,12 @@ std::optional<std::string> whyItDoesNotFit(World const& world, PartLibrary const
         FittingPiece candidate{{*shape, position->value, rotation == nullptr ? 0 : rotation->angle},
                                groupsOf(piece.properties.find<CollisionGroups>()),
                                false};
-        candidate.sprung = hitsItsKindOnly(candidate.groups) && onSpringsOnly(parts, placement, i);
+        if (hitsItsKindOnly(candidate.groups)) {
+            if (!joints) {
+                joints = placedJoints(parts, placement);
+            }
+            candidate.sprung = onSpringsOnly(*joints, i);
+        }
         if (auto why = overlapped(world, candidate, ignored)) {
             return why;
         }

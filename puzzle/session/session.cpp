@@ -21,12 +21,16 @@ std::unique_ptr<LevelRun> Session::runOf(Placements::List const& placed,
                                       connectionsOf(wires, WireEnds(level_, parts_, placed)));
 }
 
-bool Session::canBuild(Placements::List const& placed) const {
+std::unique_ptr<LevelRun> Session::runIfBuilt(Placements::List const& placed,
+                                              std::vector<LaidWire> const& wires,
+                                              std::optional<std::string>* why) const {
     try {
-        (void)runOf(placed, {});
-        return true;
-    } catch (InputError const&) {
-        return false;
+        return runOf(placed, wires);
+    } catch (InputError const& error) {
+        if (why != nullptr) {
+            *why = error.diagnostics().front().print();
+        }
+        return nullptr;
     }
 }
 
@@ -100,11 +104,9 @@ bool Session::keep(std::optional<Placements::List> next, std::vector<LaidWire> w
         return false;
     }
     wires = stillLaid(std::move(wires), WireEnds(level_, parts_, *next));
-    std::unique_ptr<LevelRun> run;
-    try {
-        run = runOf(*next, wires);
-    } catch (InputError const&) {
-        return false; // no world can be built from the list: nothing changes
+    std::unique_ptr<LevelRun> run = runIfBuilt(*next, wires);
+    if (run == nullptr) {
+        return false;
     }
     placements_.keep(std::move(*next));
     wires_.change(std::move(wires));
@@ -174,12 +176,9 @@ void Session::use(std::unique_ptr<LevelRun> run) {
 }
 
 std::optional<std::string> Session::whyNotBuilt() const {
-    try {
-        (void)runOf(placed(), wires());
-    } catch (InputError const& error) {
-        return error.diagnostics().front().print();
-    }
-    return std::nullopt;
+    std::optional<std::string> why;
+    (void)runIfBuilt(placed(), wires(), &why);
+    return why;
 }
 
 void Session::rebuild() {
@@ -271,7 +270,8 @@ void Session::load(Solution const& solution) {
         run = runOf(next, wires);
     } catch (InputError const& error) {
         auto const builds = [&](std::size_t count) {
-            return canBuild({next.begin(), next.begin() + static_cast<std::ptrdiff_t>(count)});
+            Placements::List const some(next.begin(), next.begin() + static_cast<std::ptrdiff_t>(count));
+            return runIfBuilt(some, {}) != nullptr;
         };
         throw refusedSolution(level_, solution, builds, error);
     }

@@ -166,7 +166,10 @@ private:
     [[nodiscard]] bool building() const { return !run_->begun(); }
     [[nodiscard]] std::unique_ptr<LevelRun> runOf(Placements::List const& placed,
                                                   std::vector<LaidWire> const& wires) const;
-    [[nodiscard]] bool canBuild(Placements::List const& placed) const;
+    /// The same, or nullptr if no world can be built; `why` then says why not, in words.
+    [[nodiscard]] std::unique_ptr<LevelRun> runIfBuilt(Placements::List const& placed,
+                                                       std::vector<LaidWire> const& wires,
+                                                       std::optional<std::string>* why = nullptr) const;
     /// Makes an edit of parts, if a world can be built from it; wires that lose an end go, too.
     bool keep(std::optional<Placements::List> next) { return keep(std::move(next), wires()); }
     bool keep(std::optional<Placements::List> next, std::vector<LaidWire> wires);

@@ -10,8 +10,8 @@
 namespace trembler {
 
 /// `Self` adds `text` and `prepare(access)`, which returns a Flotation::HullMaker. It reads the properties
-/// that 6.13.2 lists; Air and InAir, as air is a fluid, too; Fixed, as fixed objects need no buoyancy; and
-/// `More`, the properties that its detail level needs.
+/// that 6.13.2 lists; Air and InAir, as air is a fluid, too; Fixed, as fixed objects need no buoyancy;
+/// SparedBy; and `More`, the properties that its detail level needs.
 ///
 /// It is independent of collisions and does not lag behind them: bodies displace liquid where they are in
 /// this frame (6.12.4). Gravity comes from the calls that it receives. The pressure in a liquid grows in the
@@ -19,12 +19,12 @@ namespace trembler {
 template <class Self, ObjectProperty... More>
 class BuoyancyResolver
     : public Resolver<Self, BuoyancyRole,
-                      Reads<Position, Rotation, Shape, Density, Liquid, Air, InAir, Fixed, More...>, Writes<>,
-                      Provides<LinearGravityVector, BuoyancyForce, CentreOfBuoyancy, Immersions>> {
+                      Reads<Position, Rotation, Shape, Density, Liquid, Air, InAir, Fixed, SparedBy, More...>,
+                      Writes<>, Provides<LinearGravityVector, BuoyancyForce, CentreOfBuoyancy, Immersions>> {
     using Base =
         Resolver<Self, BuoyancyRole,
-                 Reads<Position, Rotation, Shape, Density, Liquid, Air, InAir, Fixed, More...>, Writes<>,
-                 Provides<LinearGravityVector, BuoyancyForce, CentreOfBuoyancy, Immersions>>;
+                 Reads<Position, Rotation, Shape, Density, Liquid, Air, InAir, Fixed, SparedBy, More...>,
+                 Writes<>, Provides<LinearGravityVector, BuoyancyForce, CentreOfBuoyancy, Immersions>>;
 
 public:
     using Activation = NeedsAny<Liquid, Air, InAir>;
@@ -41,7 +41,8 @@ public:
         FlotationColumns const columns{access.template read<Position>(), access.template read<Rotation>(),
                                        access.template read<Shape>(),    access.template read<Density>(),
                                        access.template read<Liquid>(),   access.template read<Air>(),
-                                       access.template read<InAir>(),    access.template read<Fixed>()};
+                                       access.template read<InAir>(),    access.template read<Fixed>(),
+                                       access.template read<SparedBy>()};
         Flotation::HullMaker const makeHull = static_cast<Self&>(*this).prepare(access, flotation_);
         bool const moved = flotation_.follow(
             columns, makeHull, [&](std::size_t count, auto const& f) { access.forRanges(count, f, hulls); });

@@ -80,16 +80,16 @@ void Flotation::followBodies(FlotationColumns const& columns, HullMaker const& m
             }
             for (; old != earlier.end() && old->object < id; ++old) {
             }
-            if (old != earlier.end() && old->object == id && old->shape == shape) {
-                floaters_.push_back(std::move(*old));
-                floaters_.back().inAir = everywhere || columns.inAir.has(id);
-                return;
+            bool const known = old != earlier.end() && old->object == id && old->shape == shape;
+            Floater floater = known ? std::move(*old) : Floater{};
+            if (!known) {
+                floater.object = id;
+                floater.shape = shape;
+                floater.hull = makeHull(shape);
             }
-            Floater floater;
-            floater.object = id;
-            floater.shape = shape;
-            floater.hull = makeHull(shape);
             floater.inAir = everywhere || columns.inAir.has(id);
+            SparedBy const* const spared = columns.sparedBy.find(id);
+            floater.sparedBy = spared == nullptr ? SparedBy{} : *spared;
             floaters_.push_back(std::move(floater));
         },
         columns.shape, columns.position);
@@ -98,7 +98,8 @@ void Flotation::followBodies(FlotationColumns const& columns, HullMaker const& m
 bool Flotation::follow(FlotationColumns const& columns, HullMaker const& makeHull,
                        ForRanges const& forRanges) {
     std::uint64_t const others = columns.liquid.version() + columns.density.version() +
-                                 columns.fixed.version() + columns.air.version() + columns.inAir.version();
+                                 columns.fixed.version() + columns.air.version() + columns.inAir.version() +
+                                 columns.sparedBy.version();
     std::uint64_t const places = columns.position.structureVersion() + columns.rotation.structureVersion();
     bool const all = !known_ || columns.shape.version() != shapes_ || others != others_ || places != places_;
     if (all) {
@@ -137,6 +138,9 @@ void Flotation::measure(Floater& floater) const {
     AreaMoments dry = floater.hull->whole();
     for (std::uint32_t const index : near) {
         LiquidBody const& liquid = liquids_[index];
+        if (floater.sparedBy.has(liquid.object)) {
+            continue;
+        }
         Displacement sum;
         for (LiquidPiece const& piece : liquid.pieces) {
             sum += displacedOf(*floater.hull, piece, pose, liquid.up);

@@ -7,6 +7,7 @@
 #include "physics/buoyancy/properties/air.hpp"
 #include "physics/buoyancy/properties/liquid.hpp"
 #include "physics/buoyancy/properties/results.hpp"
+#include "physics/buoyancy/properties/spared_by.hpp"
 #include "physics/dynamics/properties/body.hpp"
 #include "runtime/placement.hpp"
 #include "runtime/property/column.hpp"
@@ -24,6 +25,7 @@ struct FlotationColumns {
     Column<Air> const& air;
     Column<InAir> const& inAir;
     Column<Fixed> const& fixed;
+    Column<SparedBy> const& sparedBy;
 };
 
 /// Stores, for every body, the area of every liquid that it displaces; computes it again only for bodies that
@@ -61,6 +63,7 @@ private:
         double angle = 0;
         bool fresh = true; // has not been measured yet
         bool inAir = false;
+        SparedBy sparedBy;
         std::vector<Immersions::Entry> entries;
     };
     bool followLiquids(FlotationColumns const& columns, bool all);

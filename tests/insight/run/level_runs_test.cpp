@@ -1,10 +1,12 @@
 #include "insight/run/level_runs.hpp"
+#include "physics/buoyancy/properties/results.hpp"
 #include "physics/dynamics/properties/contacts.hpp"
 #include "puzzle/run/runner.hpp"
 #include "runtime/level/read/read_level.hpp"
 
 #include <gtest/gtest.h>
 
+#include <map>
 #include <thread>
 
 namespace trembler::insight {
@@ -87,6 +89,27 @@ TEST(LevelRuns, AContactThatIsLeftOutNeverBegins) {
         runs.run({{}, {withoutContact("switch", "object 1")}}, {.frames = 200}, observer);
     EXPECT_FALSE(varied.solved);
     EXPECT_FALSE(touched);
+}
+
+TEST(LevelRuns, ADipThatIsLeftOutLiftsNothing) {
+    LevelRuns const runs(runsData(), levelOf("experiments/4-raft"));
+    std::map<std::string, double> lift; // N, by object
+    RunObserver observer;
+    observer.end = [&](LevelRun const& run) {
+        for (BuoyancyForce::Entry const& entry : run.world().find<BuoyancyForce>()->forces) {
+            lift[run.world().store().nameOf(entry.object)] = entry.force.y;
+        }
+    };
+    (void)runs.run({}, {.frames = 60}, observer);
+    EXPECT_GT(lift["flotation device A"], 50);
+    EXPECT_GT(lift["flotation device B"], 50);
+    lift.clear();
+    LeftOut const dip = withoutDip("flotation device A", "water body", 20);
+    (void)runs.run({{}, {dip}}, {.frames = 60}, observer);
+    EXPECT_EQ(lift.count("flotation device A"), 0U);
+    EXPECT_GT(lift["flotation device B"], 50);
+    // Until then nothing is different.
+    EXPECT_EQ(runs.run({}, {.frames = 19}).stateHash, runs.run({{}, {dip}}, {.frames = 19}).stateHash);
 }
 
 TEST(LevelRuns, OtherContactsStayAsTheyAre) {

@@ -173,6 +173,29 @@ TEST(WhyExperiments, TheRaftBearsItsBoxesBecauseItsFloatsAreInTheWater) {
     }
 }
 
+// "If this is sufficient to cause the cargo to slide off": the goal held for a moment, and what ended it is
+// told from what lies in the water and on the raft, not from the time that was missing.
+TEST(WhyExperiments, ALoadOnTheLeftEndIsWhyTheRaftGoesUnder) {
+    Answer const answer = answerIn("4-raft", "load the left end");
+    ASSERT_FALSE(answer.happened);
+    ASSERT_TRUE(answer.nearest);
+    std::string const words = told(answer);
+    EXPECT_NE(words.find("The raft body was "), std::string::npos) << words;
+    EXPECT_NE(words.find("The water body would have lifted the raft body there with "), std::string::npos)
+        << words;
+    EXPECT_NE(words.find("The load turned the raft body with "), std::string::npos) << words;
+    EXPECT_NE(words.find(" m away from the raft body"), std::string::npos) << words;
+    EXPECT_EQ(words.find("came within"), std::string::npos) << "all boxes had touched it: " << words;
+    Miss const& sunk = answer.nearest->nearest.besides.front();
+    ASSERT_EQ(sunk.besides.size(), 2U);
+    EXPECT_EQ(sunk.besides.front().lack, Lack::lift);
+    EXPECT_EQ(sunk.besides.back().lack, Lack::torque);
+    for (std::string const part : {"cargo box 1", "cargo box 2", "cargo box 3", "iron ball 1"}) {
+        std::vector<std::string> const& names = sunk.besides.back().names;
+        EXPECT_EQ(std::count(names.begin(), names.end(), part), 1) << part;
+    }
+}
+
 // What the task asks for follows from the box that was placed, and from the floats as well.
 TEST(WhyExperiments, AFourthBoxIsOnDeckBecauseItWasPlacedThere) {
     LevelFile const level = asPlayed(experiment("4-raft"), "");

@@ -8,10 +8,12 @@
 #include "render/panels/theme.hpp"
 #include "runtime/level/json/limits.hpp"
 
+#include <algorithm>
 #include <deque>
 #include <map>
 #include <optional>
 #include <string_view>
+#include <vector>
 
 namespace trembler::ui {
 namespace {
@@ -19,63 +21,52 @@ namespace {
 using namespace render;
 using edit::Json;
 
-/// Where a solution lies in the file: entries that cannot be read are not among those shown. Where it was
-/// when the file was read, if one of its name is there still, else by its name.
-std::optional<std::size_t> indexInFile(Json const& level, Solution const& solution) {
-    auto const list = level.find("solutions");
-    std::optional<std::size_t> found;
-    for (std::size_t i = 0; list != level.end() && list->is_array() && i < list->size(); ++i) {
+/// A solution as it was read, and its place in the list that the file has now; nothing if it has been renamed
+/// or removed since.
+struct ShownSolution {
+    Solution solution;
+    std::optional<std::size_t> index;
+};
+
+/// The solutions in the order that the file has now: a level that takes long to read is read some time after
+/// a change. Entries that cannot be read are not among them. Equal names keep the order in which they were
+/// read, and so do all if one has been renamed or removed since.
+std::vector<ShownSolution> shownSolutions(EditParts const& parts) {
+    std::vector<ShownSolution> shown;
+    std::map<std::string_view, std::deque<std::size_t>> left;
+    for (Solution const& solution : parts.level.solutions) {
+        left[solution.name].push_back(shown.size());
+        shown.push_back({solution, std::nullopt});
+    }
+    auto const list = parts.tree().find("solutions");
+    for (std::size_t i = 0; list != parts.tree().end() && list->is_array() && i < list->size(); ++i) {
         Json const& entry = (*list)[i];
-        if (!entry.is_object() || entry.value("name", Json("")) != solution.name) {
+        auto const name = entry.is_object() ? entry.find("name") : entry.end();
+        if (!entry.is_object() || name == entry.end() || !name->is_string()) {
             continue;
         }
-        if (!found || solution.path == "/solutions/" + std::to_string(i)) {
-            found = i;
+        auto const found = left.find(name->get_ref<std::string const&>());
+        if (found != left.end() && !found->second.empty()) {
+            shown[found->second.front()].index = i;
+            found->second.pop_front();
         }
     }
-    return found;
-}
-
-/// The solutions as they were read, in the order that the file has now: a level that takes long to read is
-/// read some time after a change. Equal names keep the order in which they were read.
-std::vector<Solution> inOrderOfFile(EditParts const& parts) {
-    std::vector<Solution> const& read = parts.level.solutions;
-    std::map<std::string_view, std::deque<std::size_t>> left;
-    for (std::size_t i = 0; i < read.size(); ++i) {
-        left[read[i].name].push_back(i);
+    if (std::all_of(shown.begin(), shown.end(), [](ShownSolution const& one) { return one.index; })) {
+        std::sort(shown.begin(), shown.end(),
+                  [](ShownSolution const& a, ShownSolution const& b) { return *a.index < *b.index; });
     }
-    std::vector<Solution> ordered;
-    auto const list = parts.tree().find("solutions");
-    if (list != parts.tree().end() && list->is_array()) {
-        for (Json const& entry : *list) {
-            auto const name = entry.is_object() ? entry.find("name") : entry.end();
-            if (name == entry.end() || !name->is_string()) {
-                continue;
-            }
-            if (auto const found = left.find(name->get_ref<std::string const&>());
-                found != left.end() && !found->second.empty()) {
-                ordered.push_back(read[found->second.front()]);
-                found->second.pop_front();
-            }
-        }
-    }
-    if (ordered.size() != read.size()) { // one was renamed or removed since
-        return read;
-    }
-    return ordered;
+    return shown;
 }
 
 /// Moves a solution to where another one is; nothing if the file has changed since it was read.
-void moveSolutionTo(EditParts& parts, Solution const& solution, Solution const& other) {
-    auto const from = indexInFile(parts.tree(), solution);
-    auto const to = indexInFile(parts.tree(), other);
-    if (from && to) {
-        parts.run([&](Json const& level) { return edit::moveSolution(level, *from, *to); });
+void moveSolutionTo(EditParts& parts, ShownSolution const& one, ShownSolution const& other) {
+    if (one.index && other.index) {
+        parts.run([&](Json const& level) { return edit::moveSolution(level, *one.index, *other.index); });
     }
 }
 
-void drawSolution(EditParts& parts, std::vector<Solution> const& all, std::size_t index) {
-    Solution const& solution = all[index];
+void drawSolution(EditParts& parts, std::vector<ShownSolution> const& all, std::size_t index) {
+    Solution const& solution = all[index].solution;
     std::size_t const count = all.size();
     std::string const item = "solution " + std::to_string(index);
     std::string name = solution.name;
@@ -85,7 +76,7 @@ void drawSolution(EditParts& parts, std::vector<Solution> const& all, std::size_
     }
     if (count > 1) {
         if (auto const to = orderArrows(parts, item, index, count)) {
-            moveSolutionTo(parts, solution, all[*to]);
+            moveSolutionTo(parts, all[index], all[*to]);
         }
     }
     bool solves = solution.solves;
@@ -123,10 +114,10 @@ void drawSolutionsPage(EditParts& parts) {
     if (parts.level.solutions.empty()) {
         caption(words::noSolutions);
     }
-    std::vector<Solution> const solutions = inOrderOfFile(parts);
+    std::vector<ShownSolution> const solutions = shownSolutions(parts);
     for (std::size_t i = 0; i < solutions.size(); ++i) {
         // By its name, so that the ring of the keyboard stays with a solution that is moved.
-        ImGui::PushID(solutions[i].name.c_str());
+        ImGui::PushID(solutions[i].solution.name.c_str());
         drawSolution(parts, solutions, i);
         ImGui::PopID();
     }

@@ -10,6 +10,8 @@
 namespace trembler::ui {
 namespace {
 
+constexpr double shareOfBuilding = 0.05; // of the progress that is shown
+
 double secondsNow() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
@@ -18,9 +20,12 @@ double secondsNow() {
 
 WhatIfView::WhatIfView(Registry const& registry, Session const& session, Timeline& timeline,
                        std::function<double()> clock)
-    : registry_(registry), session_(session), timeline_(timeline),
-      stage_([&registry, &session] { return insight::buildAgain(registry, session); }),
+    : registry_(registry), session_(session), timeline_(timeline), stage_(newStage()),
       clock_(clock ? std::move(clock) : secondsNow) {}
+
+std::unique_ptr<insight::Stage> WhatIfView::newStage() const {
+    return std::make_unique<insight::Stage>([this] { return insight::buildAgain(registry_, session_); });
+}
 
 bool WhatIfView::begin() {
     if (session_.altered()) {
@@ -68,7 +73,8 @@ void WhatIfView::forget() {
 void WhatIfView::drop() {
     shown_.reset();
     next_.reset();
-    stage_.forget();
+    nextStage_.reset();
+    stage_->forget();
     staged_.reset();
     moving_ = working_ = stopped_ = wanted_ = fresh_ = false;
     timeline_.setLane(0);
@@ -107,6 +113,7 @@ void WhatIfView::leaveOut(std::vector<std::size_t> const& inputs) {
 
 void WhatIfView::compute() {
     next_.reset();
+    nextStage_.reset();
     wanted_ = fresh_ = moving_ = working_ = true;
     stopped_ = false;
 }
@@ -117,7 +124,9 @@ double WhatIfView::progress() const {
     if (computed == nullptr || wanted_ || last == 0) {
         return 0;
     }
-    return std::min(static_cast<double>(computed->frame()) / static_cast<double>(last), 1.0);
+    double const frames = std::min(static_cast<double>(computed->frame()) / static_cast<double>(last), 1.0);
+    double const worlds = static_cast<double>(worldsBuilt()) / worldsToBuild;
+    return shareOfBuilding * worlds + (1 - shareOfBuilding) * frames;
 }
 
 void WhatIfView::pass() {
@@ -146,7 +155,7 @@ void WhatIfView::pass() {
     }
     if (next_ && next_->begun()) {
         shown_ = std::move(next_);
-        stage_.forget();
+        stage_ = std::move(nextStage_);
         staged_.reset();
         timeline_.probes().forgetOther();
     }
@@ -166,9 +175,9 @@ void WhatIfView::computeOn() {
         double const before = std::exchange(now, clock_());
         return now - before;
     };
-    if (std::exchange(wanted_, false)) {
-        next_ = std::make_unique<insight::OtherRun>(registry_, session_, whatIf_);
-        pace_.spent(lap());
+    if (buildOn()) {
+        working_ = true;
+        return;
     }
     insight::OtherRun* const computed = next_ ? next_.get() : shown_.get();
     if (computed == nullptr) {
@@ -183,6 +192,24 @@ void WhatIfView::computeOn() {
     }
 }
 
+bool WhatIfView::buildOn() {
+    if (std::exchange(wanted_, false)) {
+        next_ = std::make_unique<insight::OtherRun>(registry_, session_, whatIf_);
+        nextStage_ = newStage();
+        worldsBuilt_ = 0;
+    }
+    if (!next_ || worldsBuilt_ == worldsToBuild) {
+        return false;
+    }
+    if (next_->built()) {
+        nextStage_->prepare();
+    } else {
+        next_->build();
+    }
+    ++worldsBuilt_;
+    return true;
+}
+
 World const* WhatIfView::world() {
     if (!active_ || !shown_ || timeline_.frame() < shown_->whatIf().frame ||
         timeline_.frame() > shown_->recording().last()) {
@@ -191,19 +218,19 @@ World const* WhatIfView::world() {
     std::uint64_t const frame = shown_->recording().nearest(timeline_.frame());
     if (staged_ != frame) {
         try {
-            stage_.show(shown_->recording(), frame);
+            stage_->show(shown_->recording(), frame);
             staged_ = frame;
         } catch (InputError const& error) {
             trouble_ = error.diagnostics().front().print();
             return nullptr;
         }
     }
-    return &stage_.world();
+    return &stage_->world();
 }
 
 std::vector<GoalStatus> const& WhatIfView::goals() const {
     static std::vector<GoalStatus> const none;
-    return staged_ ? stage_.goals() : none;
+    return staged_ ? stage_->goals() : none;
 }
 
 std::vector<insight::SettableField> WhatIfView::fieldsOf(std::string const& object) {

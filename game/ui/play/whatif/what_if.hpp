@@ -57,13 +57,16 @@ public:
     /// The fields of an object that can be set, as they are at the moment in the other run.
     [[nodiscard]] std::vector<insight::SettableField> fieldsOf(std::string const& object);
 
-    /// Once per picture: computes on, for a few milliseconds at most. While changes come in every picture,
-    /// it waits.
+    /// Once per picture: computes on, for a few milliseconds at most, or builds one world: the real run once
+    /// more, the other run, and what it is shown on. While changes come in every picture, it waits.
     void pass();
     /// Whether the next picture may show something new although nobody does anything.
     [[nodiscard]] bool moving() const { return moving_; }
     /// Whether the other run, with all changes, has not been computed yet as far as the real one.
     [[nodiscard]] bool working() const { return active_ && working_; }
+    /// How many of the worlds of the changed run, of worldsToBuild, are built.
+    [[nodiscard]] int worldsBuilt() const { return wanted_ ? 0 : worldsBuilt_; }
+    static constexpr int worldsToBuild = insight::OtherRun::worlds + 1;
     /// How far it has been computed, 0 to 1.
     [[nodiscard]] double progress() const;
     /// Computes no further until goOn(), or another change; what is known by then stays to be seen.
@@ -84,7 +87,10 @@ private:
     /// With the next picture in which nothing is changed.
     void compute();
     void computeOn();
+    /// Builds one world of the next run; false if all are built.
+    bool buildOn();
     void drop();
+    [[nodiscard]] std::unique_ptr<insight::Stage> newStage() const;
 
     Registry const& registry_;
     Session const& session_;
@@ -99,7 +105,9 @@ private:
     std::vector<insight::WhatIf> kept_;
     std::unique_ptr<insight::OtherRun> shown_;
     std::unique_ptr<insight::OtherRun> next_; // after a change, until it has come to the moment
-    insight::Stage stage_;
+    std::unique_ptr<insight::Stage> stage_;
+    std::unique_ptr<insight::Stage> nextStage_; // of next_
+    int worldsBuilt_ = 0;
     std::optional<std::uint64_t> staged_; // the frame on the stage
     std::optional<std::string> trouble_;
     std::function<double()> clock_;

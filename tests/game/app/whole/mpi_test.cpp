@@ -37,7 +37,29 @@ protected:
         return contentsOf(file);
     }
     std::string const good = levelFile("first/1-first-contact.json").string();
+    /// Three levels, with what a search of them is asked for.
+    std::string const several = fmt::format("solve '{}' '{}' '{}' --runs 70 --frames 600 --no-hands", good,
+                                            levelFile("first/2-into-the-basket.json").string(),
+                                            levelFile("2-electricity/1-both-gaps.json").string());
 };
+
+/// What a search of several levels wrote, without what depends on time and on the processes.
+json foundIn(std::string const& text) {
+    json all = json::parse(text);
+    for (json& level : all["levels"]) {
+        for (char const* const key : {"seconds", "runs_per_second", "processes"}) {
+            level.erase(key);
+        }
+    }
+    return all;
+}
+
+/// Leaves the first half of a file, and half a line more, as a power cut does.
+void cutInTheMiddle(std::filesystem::path const& file) {
+    std::string const text = contentsOf(file);
+    ASSERT_GT(text.size(), 1000U) << file;
+    std::filesystem::resize_file(file, text.find('\n', text.size() / 2) + 20);
+}
 
 TEST_F(SharedOut, ASearchFindsTheSameInAnyNumberOfProcesses) {
     json expected;
@@ -53,6 +75,24 @@ TEST_F(SharedOut, ASearchFindsTheSameInAnyNumberOfProcesses) {
         }
         EXPECT_EQ(all, expected) << processes;
     }
+}
+
+TEST_F(SharedOut, SeveralLevelsAreSearchedTheSameByAnyNumberOfProcesses) {
+    json const one = foundIn(shared(1, several));
+    ASSERT_EQ(one["levels"].size(), 3U);
+    EXPECT_EQ(one["complete"], true);
+    EXPECT_GE(one["solved_by_search"], 1);
+    for (int const processes : {2, 3}) {
+        EXPECT_EQ(foundIn(shared(processes, several)), one) << processes;
+    }
+}
+
+TEST_F(SharedOut, ASearchOfSeveralLevelsThatWasCutOffGoesOn) {
+    std::string const arguments = several + fmt::format(" --resume '{}'", at("pack.jsonl"));
+    json const whole = foundIn(shared(2, arguments));
+    cutInTheMiddle(at("pack.jsonl"));
+    cutInTheMiddle(at("pack.jsonl.1"));
+    EXPECT_EQ(foundIn(shared(2, arguments)), whole);
 }
 
 TEST_F(SharedOut, AReportIsTheSameInAnyNumberOfProcesses) {

@@ -35,7 +35,7 @@ public:
     }
     bool follow() {
         return flotation.follow(
-            {position, rotation, shape, density, liquid, air, inAir, fixed},
+            {position, rotation, shape, density, liquid, air, inAir, fixed, sparedBy},
             [&](Shape const& of) {
                 ++hulls;
                 return std::make_unique<ExactHull>(of);
@@ -59,6 +59,7 @@ public:
     Column<Air> air;
     Column<InAir> inAir;
     Column<Fixed> fixed;
+    Column<SparedBy> sparedBy;
     Flotation flotation;
     int hulls = 0;
     Vec2 gravity{0, -9.81};
@@ -160,6 +161,26 @@ Immersions::Entry entryOf(std::uint32_t object, std::uint32_t liquid) {
     entry.liquid = {liquid, 0};
     entry.up = {0, 1};
     return entry;
+}
+
+TEST(Flotation, ALiquidThatSparesABodyStillActsOnTheOthersAndOtherLiquidsOnIt) {
+    Harbour harbour;
+    ObjectId const left = harbour.pool({{boxPiece(2, 2)}}, {-1, -1}, 1000);
+    ObjectId const right = harbour.pool({{boxPiece(2, 2)}}, {1, -1}, 1200);
+    ObjectId const across = harbour.body({{boxPiece(1, 0.2)}}, {0, -0.5});
+    ObjectId const other = harbour.body({{boxPiece(0.2, 0.2)}}, {-1, -0.5});
+    EXPECT_TRUE(harbour.follow());
+    ASSERT_EQ(harbour.entries().size(), 3U);
+    int const hulls = harbour.hulls;
+    harbour.sparedBy.set(across, {{left}});
+    EXPECT_TRUE(harbour.follow());
+    EXPECT_EQ(harbour.hulls, hulls);
+    std::vector<Immersions::Entry> const entries = harbour.entries();
+    ASSERT_EQ(entries.size(), 2U);
+    EXPECT_EQ(entries[0].object, across);
+    EXPECT_EQ(entries[0].liquid, right);
+    EXPECT_EQ(entries[1].object, other);
+    EXPECT_EQ(entries[1].liquid, left);
 }
 
 TEST(MatchEvents, KeepsTheEventsOfRemainingPairsAndReportsChangesOnce) {

@@ -55,6 +55,19 @@ protected:
         EXPECT_NE(place, nullptr) << name;
         return place == nullptr ? Vec2{} : place->value;
     }
+    /// Opens the list of effects on the card, chooses one to be left out, and waits.
+    void leaveOut(std::string const& interaction) {
+        player.scrollTo("what if", "leave out");
+        player.clickItem("leave out");
+        player.frames(2);
+        switchEffect(interaction);
+    }
+    /// The same in the list that is open: what is left out is taken back.
+    void switchEffect(std::string const& interaction) {
+        player.scrollTo("what if", "without " + interaction);
+        player.clickItem("without " + interaction);
+        await();
+    }
     /// The only change, which is of this kind and makes another run; the real one is as it was.
     insight::Change const& onlyChange(Kind kind) {
         static insight::Change const none;
@@ -110,14 +123,9 @@ TEST_F(WhatIfChanges, AFieldIsSetOnItsCard) {
 
 TEST_F(WhatIfChanges, AnEffectIsLeftOut) {
     beginAt(5);
-    player.scrollTo("what if", "leave out");
-    player.clickItem("leave out");
-    player.frames(2);
-    std::string const magnetism = "without (Dynamics <- Magnetic Forces) Interaction";
-    player.scrollTo("what if", magnetism);
-    player.clickItem(magnetism);
-    await();
-    EXPECT_EQ(onlyChange(Kind::interaction).object, "(Dynamics <- Magnetic Forces) Interaction");
+    std::string const magnetism = "(Dynamics <- Magnetic Forces) Interaction";
+    leaveOut(magnetism);
+    EXPECT_EQ(onlyChange(Kind::interaction).object, magnetism);
     player.key(SDLK_END);
     player.frames(2);
     WhatIfView& changed = const_cast<WhatIfView&>(view()); // world() puts the frame on its stage
@@ -126,22 +134,14 @@ TEST_F(WhatIfChanges, AnEffectIsLeftOut) {
     EXPECT_LT(placeIn(*other, "iron ball").y, placeOf("iron ball").y) << "nothing lifts it";
     player.play().timeline().seek(5);
     player.frames(2);
-    player.scrollTo("what if", magnetism);
-    player.clickItem(magnetism);
-    await();
+    switchEffect(magnetism);
     EXPECT_TRUE(view().whatIf().changes.empty());
     EXPECT_FALSE(view().run()->firstDifference());
 }
 
 TEST_F(WhatIfChanges, AnEffectThatIsLeftOutIsTakenBackBesideIt) {
     beginAt(5);
-    player.scrollTo("what if", "leave out");
-    player.clickItem("leave out");
-    player.frames(2);
-    std::string const gravity = "without (Dynamics <- Gravity) Interaction";
-    player.scrollTo("what if", gravity);
-    player.clickItem(gravity);
-    await();
+    leaveOut("(Dynamics <- Gravity) Interaction");
     ASSERT_EQ(view().whatIf().changes.size(), 1U);
     player.moveTo(player.layout().card("what if")->middle());
     for (int i = 0; i < 40 && !player.shows("take back 0"); ++i) {
@@ -208,6 +208,91 @@ TEST_F(WhatIfChanges, TheWindowGoesOnWhileItIsComputed) {
                                   << player.play().timeline().last();
     player.key(SDLK_ESCAPE);
     EXPECT_FALSE(view().active()) << "the second one ends the what-if";
+}
+
+// A big level takes long to build: the window draws between its worlds.
+TEST_F(WhatIfChanges, NoPictureBuildsMoreThanOneWorld) {
+    run(60);
+    player.play().timeline().seek(20);
+    player.frames(2);
+    player.hold(SDLK_z);
+    ASSERT_TRUE(view().active());
+    EXPECT_EQ(view().worldsBuilt(), 0);
+    double before = view().progress();
+    for (int worlds = 1; worlds <= WhatIfView::worldsToBuild; ++worlds) {
+        player.frame();
+        EXPECT_EQ(view().worldsBuilt(), worlds);
+        EXPECT_TRUE(view().working());
+        EXPECT_GT(view().progress(), before);
+        EXPECT_EQ(view().run(), nullptr) << "no frame is computed in these pictures";
+        before = view().progress();
+    }
+    EXPECT_TRUE(player.shows("what if computing")) << "the card is drawn meanwhile, and has found its size";
+    player.letGo(SDLK_z);
+    await();
+    ASSERT_NE(view().run(), nullptr);
+    EXPECT_FALSE(view().run()->firstDifference());
+    // A change shows the run before it until the new one has come to the moment.
+    insight::OtherRun const* const shown = view().run();
+    Vec2 const from = placeOf("iron ball");
+    player.drag(player.at(from), player.at(from + Vec2{0.6, 0.4}));
+    EXPECT_EQ(view().run(), shown);
+    EXPECT_LT(view().worldsBuilt(), WhatIfView::worldsToBuild);
+    await();
+    EXPECT_NE(view().run(), shown);
+    EXPECT_TRUE(view().run()->firstDifference());
+}
+
+// What the gamepad does below, by keys: those of the arrows move a pointer, and Return is its button.
+TEST_F(WhatIfChanges, KeysAloneDoAllOfIt) {
+    run(60);
+    hash = player.session().world().stateHash();
+    player.moveTo(player.at({1.6, 0.2})); // the keys' pointer begins where the mouse was last
+    player.key(SDLK_PAGEUP);              // a frame back
+    ASSERT_TRUE(player.play().timeline().looksBack());
+    player.key(SDLK_z);
+    ASSERT_TRUE(view().active());
+    await();
+    Vec2 const ball = placeOf("iron ball");
+    player.moveTo(player.at(ball));
+    player.key(SDLK_UP);
+    player.key(SDLK_DOWN);
+    player.key(SDLK_RETURN);
+    // It is dragged where the pointer goes.
+    player.hold(SDLK_RETURN);
+    for (int i = 0; i < 6; ++i) {
+        player.key(SDLK_LEFT);
+    }
+    player.letGo(SDLK_RETURN);
+    await();
+    EXPECT_EQ(onlyChange(Kind::place).object, "iron ball");
+    EXPECT_NEAR(view().whatIf().changes.front().at.x, ball.x - 6 * gridStep, gridStep);
+    // Along the card to its first number, which is changed.
+    player.key(SDLK_F9);
+    auto const isField = [](insight::Change const& change) { return change.kind == Kind::field; };
+    bool set = false;
+    for (int i = 0; i < 12 && !set; ++i) {
+        player.key(SDLK_DOWN);
+        player.key(SDLK_SPACE);
+        for (int step = 0; step < 4; ++step) {
+            player.key(SDLK_RIGHT);
+        }
+        player.key(SDLK_SPACE);
+        auto const& changes = view().whatIf().changes;
+        set = std::any_of(changes.begin(), changes.end(), isField);
+    }
+    EXPECT_TRUE(set) << "the card is worked by keys";
+    EXPECT_EQ(player.session().mode(), SessionMode::paused) << "they do nothing else meanwhile";
+    player.key(SDLK_ESCAPE); // back to the field
+    EXPECT_TRUE(view().active());
+    player.key(SDLK_DELETE); // the ball is still chosen
+    await();
+    ASSERT_FALSE(view().whatIf().changes.empty());
+    EXPECT_EQ(view().whatIf().changes.back().kind, Kind::remove);
+    player.look("what-if-by-keys");
+    player.key(SDLK_z);
+    EXPECT_FALSE(view().active());
+    EXPECT_EQ(player.session().world().stateHash(), hash);
 }
 
 TEST_F(WhatIfChanges, AGamepadDoesAllOfIt) {

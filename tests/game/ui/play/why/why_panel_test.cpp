@@ -121,6 +121,29 @@ TEST(WhyPanel, SaysHowNearlyAGoalWasMet) {
     EXPECT_EQ(player.play().timeline().frame(), answer->nearest->nearest.frame);
 }
 
+// The longest answer: what ended a goal that held for a moment, and what the water and the load did.
+TEST(WhyPanel, SaysWhatEndedAGoalThatHeldTooShortly) {
+    Player player;
+    player.open(levelsFolder() / "experiments/4-raft.json");
+    Session& session = player.session();
+    session.load(*session.level().findSolution("load the left end"));
+    player.frames(2);
+    player.key(SDLK_SPACE);
+    player.simulate(300);
+    player.key(SDLK_p);
+    player.frames(2);
+    player.clickItem("why goal 1");
+    waitForAnswer(player);
+    expectTidy(player, "what ended it");
+    std::string all;
+    for (std::string const& line : player.play().why().lines()) {
+        all += line + " ";
+    }
+    EXPECT_NE(all.find("would have lifted the raft body there with"), std::string::npos) << all;
+    EXPECT_NE(all.find("The load turned the raft body"), std::string::npos) << all;
+    player.look("why-not-raft");
+}
+
 TEST(WhyPanel, IsAskedByKeys) {
     Player player;
     solve(player);

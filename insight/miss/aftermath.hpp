@@ -1,0 +1,52 @@
+// What ended a condition that held, but not for long enough.
+#pragma once
+
+#include "insight/miss/condition_miss.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace trembler::insight {
+
+/// Looks at the parts of a condition that all have to hold, in the time for which it should have held on. Of
+/// each part the longest time is told for which it did not hold: how far it was from holding at the worst,
+/// and what a liquid lacked when that began. What was broken only as briefly as by a bounce is told only if
+/// nothing else was. Not thread-safe.
+class Aftermath {
+public:
+    /// For less than this, in frames, is a bounce.
+    static constexpr std::uint64_t bounce = 15;
+
+    /// The condition held, but for that number of frames less than it should. Forgets what it knew. `goal`
+    /// must outlive this.
+    void begin(ConditionMiss const& goal, std::uint64_t frame, std::uint64_t missing);
+    /// Forgets what it knew, and looks no more.
+    void end() { parts_.clear(); }
+    /// To be called after each later frame.
+    void look(World const& world, CircuitSight& circuits);
+
+    /// In the order in which the parts ceased to hold; each with the moment of its worst, and named.
+    [[nodiscard]] std::vector<Miss> misses() const;
+
+private:
+    /// A time for which a part did not hold.
+    struct Break {
+        std::uint64_t from = 0; // frame
+        std::uint64_t frames = 0;
+        Miss worst;
+        std::vector<Miss> lift; // when it began
+    };
+    struct Part {
+        ConditionMiss const* condition = nullptr;
+        std::optional<Break> now;
+        std::optional<Break> longest; // of those that are over
+    };
+    void addParts(ConditionMiss const& one);
+    [[nodiscard]] static Break const* longestOf(Part const& part);
+
+    std::vector<Part> parts_;
+    std::uint64_t until_ = 0; // the last frame
+};
+
+} // namespace trembler::insight

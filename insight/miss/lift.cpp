@@ -1,0 +1,331 @@
+#include "insight/miss/lift.hpp"
+
+#include "physics/buoyancy/hulls/exact_hull.hpp"
+#include "physics/buoyancy/properties/liquid.hpp"
+#include "physics/buoyancy/properties/results.hpp"
+#include "physics/depth.hpp"
+#include "physics/dynamics/properties/body.hpp"
+#include "physics/dynamics/properties/contacts.hpp"
+#include "physics/dynamics/properties/joint.hpp"
+#include "physics/dynamics/properties/mass_properties.hpp"
+#include "physics/dynamics/properties/overlap.hpp"
+#include "physics/dynamics/properties/shape_order.hpp"
+#include "physics/dynamics/properties/shape_rules.hpp"
+#include "physics/gravity/properties.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <set>
+#include <span>
+
+namespace trembler::insight {
+namespace {
+
+constexpr double leastRise = 1e-3;  // m: what should be higher by less is where it should be
+constexpr double leastShare = 0.01; // of the weight, that is worth a word
+constexpr double leastLever = 0.1;  // of the width: a force that acts nearer to the middle turns little
+constexpr double steepest = 0.5;    // the cosine of the slope on which something still lies
+
+/// A force in a world with its place.
+struct ActingForce {
+    Vec2 force; ///< N
+    Vec2 at;    ///< m
+};
+
+struct Body {
+    ObjectId id;
+    Shape const* shape = nullptr;
+    Pose pose;
+    double angle = 0;
+    Vec2 centre; ///< m, of mass, in the world
+    Vec2 weight; ///< N
+};
+
+std::optional<Body> bodyOf(World const& world, ObjectId id) {
+    Shape const* const shape = world.find<Shape>(id);
+    Position const* const position = world.find<Position>(id);
+    auto const* const gravity = world.find<GravityForce>();
+    if (shape == nullptr || position == nullptr || gravity == nullptr || shape->pieces.empty() ||
+        faultIn(*shape) || world.find<Fixed>(id) != nullptr || world.find<Liquid>(id) != nullptr) {
+        return std::nullopt;
+    }
+    auto const weight = std::find_if(gravity->forces.begin(), gravity->forces.end(),
+                                     [&](GravityForce::Entry const& entry) { return entry.object == id; });
+    if (weight == gravity->forces.end()) {
+        return std::nullopt;
+    }
+    Rotation const* const rotation = world.find<Rotation>(id);
+    double const angle = rotation == nullptr ? 0 : rotation->angle;
+    Pose const pose(position->value, angle);
+    return Body{id, shape, pose, angle, pose.toWorld(centreOfMass(*shape)), weight->force};
+}
+
+/// A body and all that joints tie it to, through others as well.
+struct Group {
+    std::vector<Body> bodies;
+    bool welded = true; ///< it moves as one
+};
+
+Group groupOf(World const& world, ObjectId id) {
+    Group group;
+    std::vector<ObjectId> open{id};
+    std::set<ObjectId> known{id};
+    auto const* const joints = world.store().findColumn<Joint>();
+    while (!open.empty()) {
+        ObjectId const at = open.back();
+        open.pop_back();
+        std::optional<Body> const body = bodyOf(world, at);
+        if (!body) {
+            continue; // what is fixed ties nothing together
+        }
+        group.bodies.push_back(*body);
+        for (ObjectId const joint : joints == nullptr ? std::span<ObjectId const>() : joints->owners()) {
+            Joint const& one = *joints->find(joint);
+            if (one.a != at && one.b != at) {
+                continue;
+            }
+            ObjectId const other = one.a == at ? one.b : one.a;
+            group.welded = group.welded && one.form == JointForm::weld && other.valid();
+            if (other.valid() && known.insert(other).second) {
+                open.push_back(other);
+            }
+        }
+    }
+    return group;
+}
+
+/// Whether one body lies on another that it touches.
+bool liesOn(Body const& above, Body const& below, Vec2 up) {
+    Shape const point{{circlePiece(1e-3)}};
+    ShapeGap const gap = gapBetween({*below.shape, below.pose.at, below.angle}, {point, above.centre, 0});
+    Vec2 const way = above.centre - gap.a;
+    double const distance = length(way);
+    return distance > 0 && dot(way, up) > steepest * distance;
+}
+
+/// What lies on the bodies, and on that in turn.
+std::vector<Body> carriedBy(World const& world, std::vector<Body> const& bodies, Vec2 up) {
+    std::vector<Body> carried;
+    auto const* const contacts = world.find<Contacts>();
+    if (contacts == nullptr) {
+        return carried;
+    }
+    std::set<ObjectId> known;
+    for (Body const& body : bodies) {
+        known.insert(body.id);
+    }
+    std::vector<Body> open = bodies;
+    while (!open.empty()) {
+        Body const below = open.back();
+        open.pop_back();
+        for (TouchingPair const& pair : contacts->current) {
+            if (pair.a != below.id && pair.b != below.id) {
+                continue;
+            }
+            ObjectId const other = pair.a == below.id ? pair.b : pair.a;
+            if (known.contains(other)) {
+                continue;
+            }
+            std::optional<Body> const above = bodyOf(world, other);
+            if (above && liesOn(*above, below, up)) {
+                known.insert(other);
+                carried.push_back(*above);
+                open.push_back(*above);
+            }
+        }
+    }
+    std::sort(carried.begin(), carried.end(), [](Body const& a, Body const& b) { return a.id < b.id; });
+    return carried;
+}
+
+/// The liquids of a world.
+class Liquids {
+public:
+    explicit Liquids(World const& world) {
+        auto const* const column = world.store().findColumn<Liquid>();
+        auto const* const gravity = world.find<LinearGravityVector>();
+        if (column == nullptr || gravity == nullptr) {
+            return;
+        }
+        gravity_ = gravity->gravity;
+        for (ObjectId const id : column->owners()) {
+            Shape const* const shape = world.find<Shape>(id);
+            Position const* const position = world.find<Position>(id);
+            if (shape == nullptr || position == nullptr || faultIn(*shape)) {
+                continue;
+            }
+            Rotation const* const rotation = world.find<Rotation>(id);
+            Density const* const density = world.find<Density>(id);
+            Pose const pose(position->value, rotation == nullptr ? 0 : rotation->angle);
+            liquids_.push_back({id, (density == nullptr ? Density{} : *density).value, pose.turned({0, 1}),
+                                liquidPieces(inOrder(*shape), pose)});
+        }
+    }
+    [[nodiscard]] bool empty() const { return liquids_.empty(); }
+    /// Out of the liquids, against gravity; 0 without any.
+    [[nodiscard]] Vec2 up() const {
+        double const strength = length(gravity_);
+        return strength > 0 ? -gravity_ / strength : Vec2{};
+    }
+
+    /// The forces on a body that is moved by `by`; `most` becomes the liquid with the greatest one.
+    [[nodiscard]] std::vector<ActingForce> on(Body const& body, Vec2 by, ObjectId& most,
+                                              double& greatest) const {
+        std::vector<ActingForce> forces;
+        ExactHull const hull(*body.shape);
+        Pose pose = body.pose;
+        pose.at += by;
+        for (One const& liquid : liquids_) {
+            Displacement sum;
+            for (LiquidPiece const& piece : liquid.pieces) {
+                sum += displacedOf(hull, piece, pose, liquid.up);
+            }
+            double const strength =
+                liquid.density * sum.wet.area * worldDepth * std::max(0.0, -dot(gravity_, liquid.up));
+            if (strength <= 0) {
+                continue;
+            }
+            forces.push_back({strength * liquid.up, pose.toWorld(sum.wet.centroid())});
+            if (strength > greatest) {
+                greatest = strength;
+                most = liquid.id;
+            }
+        }
+        return forces;
+    }
+
+private:
+    struct One {
+        ObjectId id;
+        double density = 0; ///< kg/m³
+        Vec2 up;
+        std::vector<LiquidPiece> pieces;
+    };
+    Vec2 gravity_; // m/s²
+    std::vector<One> liquids_;
+};
+
+/// The sums of forces along `up`, and of their torques.
+struct Sum {
+    double force = 0;  ///< N
+    double torque = 0; ///< N m
+    void add(ActingForce const& one, Vec2 up, Vec2 about) {
+        force += dot(one.force, up);
+        torque += cross(one.at - about, one.force);
+    }
+};
+
+double widthOf(std::vector<Body> const& bodies, Vec2 up) {
+    Vec2 const across{up.y, -up.x};
+    double least = std::numeric_limits<double>::infinity();
+    double most = -least;
+    for (Body const& body : bodies) {
+        auto const [lower, upper] = extentOf({*body.shape, body.pose.at, body.angle});
+        for (Vec2 const corner : {lower, upper, Vec2{lower.x, upper.y}, Vec2{upper.x, lower.y}}) {
+            least = std::min(least, dot(corner, across));
+            most = std::max(most, dot(corner, across));
+        }
+    }
+    return most - least;
+}
+
+/// The same for the way that one object lacks; whether there is anything to tell.
+bool addLiftOf(Miss& miss, ObjectId mover, Vec2 way, World const& world, Liquids const& liquids) {
+    Vec2 const up = liquids.up();
+    double const rise = dot(way, up);
+    if (rise < leastRise) {
+        return false;
+    }
+    Group const group = groupOf(world, mover);
+    if (group.bodies.empty()) {
+        return false;
+    }
+    std::vector<Body> const carried = carriedBy(world, group.bodies, up);
+    Vec2 about;
+    double weights = 0;
+    for (Body const& body : group.bodies) {
+        double const weight = length(body.weight);
+        about += weight * body.centre;
+        weights += weight;
+    }
+    if (weights <= 0) {
+        return false;
+    }
+    about = about / weights;
+    ObjectId most;
+    double greatest = 0;
+    Sum lift;    // where it should be
+    Sum righted; // where it is
+    Sum load;
+    for (Body const& body : group.bodies) {
+        ObjectId here;
+        double strongest = 0;
+        for (ActingForce const& force : liquids.on(body, rise * up, most, greatest)) {
+            lift.add(force, up, about);
+        }
+        for (ActingForce const& force : liquids.on(body, {}, here, strongest)) {
+            righted.add(force, up, about);
+        }
+    }
+    if (lift.force <= 0) {
+        return false; // it should be outside of any liquid
+    }
+    Miss other;
+    other.objects = {most, mover};
+    for (Body const& body : group.bodies) {
+        if (body.id != mover) {
+            other.objects.push_back(body.id);
+        }
+    }
+    for (Body const& body : carried) {
+        other.objects.push_back(body.id);
+        ObjectId here;
+        double strongest = 0;
+        load.add({body.weight, body.centre}, up, about);
+        for (ActingForce const& force : liquids.on(body, {}, here, strongest)) {
+            load.add(force, up, about);
+        }
+    }
+    double const down = weights - load.force;
+    other.from = about;
+    other.to = about;
+    if (double const missing = down - lift.force; missing > leastShare * down) {
+        other.lack = Lack::lift;
+        other.by = missing;
+        miss.besides.push_back(other);
+    }
+    double const turning = load.torque + righted.torque;
+    bool const over = turning * load.torque > 0 && group.welded && !carried.empty();
+    if (over && std::abs(turning) > leastLever * widthOf(group.bodies, up) * down) {
+        other.lack = Lack::torque;
+        other.by = std::abs(turning);
+        miss.besides.push_back(other);
+    }
+    return true;
+}
+
+void addLift(Miss& miss, World const& world, Liquids const& liquids) {
+    for (Miss& other : miss.besides) {
+        addLift(other, world, liquids);
+    }
+    if (miss.lack != Lack::distance || miss.objects.empty()) {
+        return;
+    }
+    Vec2 const way = miss.to - miss.from;
+    if (!addLiftOf(miss, miss.objects.front(), way, world, liquids) && miss.objects.size() > 1) {
+        addLiftOf(miss, miss.objects[1], -1.0 * way, world, liquids);
+    }
+}
+
+} // namespace
+
+void addLift(Miss& miss, World const& world) {
+    Liquids const liquids(world);
+    if (!liquids.empty()) {
+        addLift(miss, world, liquids);
+    }
+}
+
+} // namespace trembler::insight
