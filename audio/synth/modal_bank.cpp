@@ -135,6 +135,7 @@ void ringAll(std::vector<ModalScratch::Group>& groups, Lanes* sums, int from, in
 
 // Adds the sum of each sample's lanes, for four samples at a time: a transposition by halves.
 void addLanes(std::span<Lanes const> sums, std::span<float> out) {
+    static_assert(laneCount == 4);
     std::size_t n = 0;
     for (; n + laneCount <= out.size(); n += laneCount) {
         Lanes const& a = sums[n];
@@ -181,8 +182,8 @@ void ModalBank::tune(std::span<Sounds::Ring const> rings, double pitch, double d
     }
 }
 
-// The sine and the exponential are computed in float, in half the time: the angle is within half a turn by
-// then, and the rotations of a block are carried out in float as well.
+// The sine and the exponential are computed in float, in half the time: whole turns are removed in double
+// before, and the rotations of a block are carried out in float as well.
 std::complex<double> ModalBank::turned(Oscillator const& mode, double samples) const {
     double const turns = mode.frequency * samples / rate_;
     auto const angle = static_cast<float>(2 * pi * (turns - std::nearbyint(turns)));

@@ -88,17 +88,17 @@ namespace detail {
 
 /// A count for one registry, which a copy of the registry begins at zero. Threads may read and write it at
 /// once.
-class CountOfOne {
+class UncopiedCount {
 public:
-    CountOfOne() = default;
-    ~CountOfOne() = default;
-    CountOfOne(CountOfOne const& /*other*/) {}
-    CountOfOne(CountOfOne&& /*other*/) noexcept {}
-    CountOfOne& operator=(CountOfOne const& /*other*/) {
+    UncopiedCount() = default;
+    ~UncopiedCount() = default;
+    UncopiedCount(UncopiedCount const& /*other*/) {}
+    UncopiedCount(UncopiedCount&& /*other*/) noexcept {}
+    UncopiedCount& operator=(UncopiedCount const& /*other*/) {
         value = 0;
         return *this;
     }
-    CountOfOne& operator=(CountOfOne&& /*other*/) noexcept {
+    UncopiedCount& operator=(UncopiedCount&& /*other*/) noexcept {
         value = 0;
         return *this;
     }
@@ -236,7 +236,7 @@ private:
     std::vector<std::string> extensions_;
     /// How many registrations had passed the last check; nothing is ever removed. A search starts thousands
     /// of worlds, and comparing all pairs of components takes nearly as long as the rest of a start.
-    mutable detail::CountOfOne checked_;
+    mutable detail::UncopiedCount checked_;
 };
 
 /// True if two registered components serve the same need, so that a world constructs one of them: resolvers

@@ -28,27 +28,48 @@ struct ShownSolution {
     std::optional<std::size_t> index;
 };
 
+/// The name of an entry of the list; nothing if it has none.
+std::optional<std::string_view> nameOf(Json const& entry) {
+    auto const name = entry.is_object() ? entry.find("name") : entry.end();
+    if (!entry.is_object() || name == entry.end() || !name->is_string()) {
+        return std::nullopt;
+    }
+    return name->get_ref<std::string const&>();
+}
+
 /// The solutions in the order that the file has now: a level that takes long to read is read some time after
-/// a change. Entries that cannot be read are not among them. Equal names keep the order in which they were
-/// read, and so do all if one has been renamed or removed since.
+/// a change. Entries that cannot be read are not among them. A solution is where it was read if one of its
+/// name is still there; of the others equal names keep the order in which they were read. So do all if one
+/// has been renamed or removed since.
 std::vector<ShownSolution> shownSolutions(EditParts const& parts) {
     std::vector<ShownSolution> shown;
-    std::map<std::string_view, std::deque<std::size_t>> left;
+    std::map<std::string, std::size_t> read; // by path
     for (Solution const& solution : parts.level.solutions) {
-        left[solution.name].push_back(shown.size());
+        read[solution.path] = shown.size();
         shown.push_back({solution, std::nullopt});
     }
-    auto const list = parts.tree().find("solutions");
-    for (std::size_t i = 0; list != parts.tree().end() && list->is_array() && i < list->size(); ++i) {
-        Json const& entry = (*list)[i];
-        auto const name = entry.is_object() ? entry.find("name") : entry.end();
-        if (!entry.is_object() || name == entry.end() || !name->is_string()) {
-            continue;
+    auto const found = parts.tree().find("solutions");
+    std::size_t const count = found != parts.tree().end() && found->is_array() ? found->size() : 0;
+    std::vector<bool> taken(count, false);
+    for (std::size_t i = 0; i < count; ++i) {
+        auto const at = read.find("/solutions/" + std::to_string(i));
+        if (at != read.end() && nameOf((*found)[i]) == shown[at->second].solution.name) {
+            shown[at->second].index = i;
+            taken[i] = true;
         }
-        auto const found = left.find(name->get_ref<std::string const&>());
-        if (found != left.end() && !found->second.empty()) {
-            shown[found->second.front()].index = i;
-            found->second.pop_front();
+    }
+    std::map<std::string_view, std::deque<std::size_t>> left;
+    for (std::size_t i = 0; i < shown.size(); ++i) {
+        if (!shown[i].index) {
+            left[shown[i].solution.name].push_back(i);
+        }
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+        auto const name = taken[i] ? std::nullopt : nameOf((*found)[i]);
+        auto const at = name ? left.find(*name) : left.end();
+        if (at != left.end() && !at->second.empty()) {
+            shown[at->second.front()].index = i;
+            at->second.pop_front();
         }
     }
     if (std::all_of(shown.begin(), shown.end(), [](ShownSolution const& one) { return one.index; })) {

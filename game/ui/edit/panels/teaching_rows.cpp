@@ -23,10 +23,10 @@ struct LessonStepKind {
     char const* id;  // of its text
 };
 constexpr std::array<LessonStepKind, 5> stepKinds{{{"place", "step.place"},
-                                             {"wire", "step.wire"},
-                                             {"run", "step.run"},
-                                             {"grab", "step.grab"},
-                                             {"cut", "step.cut"}}};
+                                                   {"wire", "step.wire"},
+                                                   {"run", "step.run"},
+                                                   {"grab", "step.grab"},
+                                                   {"cut", "step.cut"}}};
 
 std::string shownStep(std::string const& key) {
     auto const found = std::find_if(stepKinds.begin(), stepKinds.end(),
