@@ -1,6 +1,7 @@
 // Every example of the reference, in a world in which it applies.
 #include "lua/reference/examples.hpp"
 #include "lua/reference/function_examples.hpp"
+#include "physics/buoyancy/properties/spared_by.hpp"
 #include "puzzle/data/game_data.hpp"
 #include "runtime/level/build/build_world.hpp"
 #include "runtime/level/read/read_level.hpp"
@@ -16,7 +17,11 @@ std::unique_ptr<World> worldOf(ScriptedGame const& game) {
     static GameData const plain;
     static std::filesystem::path const file =
         std::filesystem::path(TREMBLER_SOURCE_DIR) / "tests/lua/reference/world.json";
-    return buildWorld(game.registry, loadLevel(game.registry, file), plain.parts);
+    auto world = buildWorld(game.registry, loadLevel(game.registry, file), plain.parts);
+    // Which no level can state: runs that ask why set it.
+    Store& store = world->store();
+    store.column<SparedBy>().set(store.find("crate"), {{store.find("pool")}});
+    return world;
 }
 
 Reference const& reference() {
