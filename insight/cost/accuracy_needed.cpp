@@ -1,13 +1,16 @@
 #include "insight/cost/accuracy_needed.hpp"
 
 #include "insight/run/level_runs.hpp"
+#include "insight/trial/solution_text.hpp"
 #include "insight/trial/trial.hpp"
 #include "physics/dynamics/properties/settings.hpp"
+#include "puzzle/run/run_report.hpp"
 #include "runtime/level/json/diagnostic.hpp"
 #include "runtime/level/model/detail_levels.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <xxhash.h>
 
 #include <algorithm>
 #include <map>
@@ -81,6 +84,15 @@ std::map<std::string, std::string> presentLevels(LevelUnderTest const& level) {
     return present;
 }
 
+/// For keys of work that runs all solutions and may name one of them.
+std::string everythingRecorded(LevelFile const& level) {
+    std::string text;
+    for (Solution const& solution : level.solutions) {
+        text += nlohmann::json{solution.name, identityOf(solution), solution.solves}.dump();
+    }
+    return hashText(XXH3_64bits(text.data(), text.size()));
+}
+
 } // namespace
 
 std::vector<EffectCost> effectCosts(LevelUnderTest const& level, Solution const& solution) {
@@ -115,9 +127,10 @@ std::vector<WayToCompute> waysToCompute(LevelUnderTest const& level, Workers& wo
         ways.push_back({"dynamics", fmt::format("{} substep{}", count, count == 1 ? "" : "s"), present});
         substeps.push_back(count);
     }
+    std::string const recorded = everythingRecorded(level.level());
     std::vector<std::string> keys;
     for (WayToCompute const& way : ways) {
-        keys.push_back(fmt::format("way/{}/{}/{}", level.identity(), way.effect, way.level));
+        keys.push_back(fmt::format("way/{}/{}/{}/{}", level.identity(), recorded, way.effect, way.level));
     }
     auto const results = workers.share(keys, [&](std::size_t index) {
         WayToCompute const& way = ways[index];

@@ -74,7 +74,8 @@ private:
         std::vector<Solution> const& solutions = level_.level().solutions;
         std::vector<std::string> keys{fmt::format("hands-off/{}", level_.identity())};
         for (Solution const& solution : solutions) {
-            keys.push_back(fmt::format("recorded/{}/{}", level_.identity(), solution.name));
+            keys.push_back(
+                fmt::format("recorded/{}/{}/{}", level_.identity(), identityOf(solution), solution.name));
         }
         auto const results = workers_.share(keys, [&](std::size_t index) {
             if (index == 0) {

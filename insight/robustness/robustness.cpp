@@ -1,6 +1,7 @@
 #include "insight/robustness/robustness.hpp"
 
 #include "insight/search/random_placement.hpp"
+#include "insight/trial/solution_text.hpp"
 #include "insight/trial/trial.hpp"
 
 #include <fmt/format.h>
@@ -11,10 +12,9 @@
 namespace trembler::insight {
 namespace {
 
-/// What identifies a solution in keys: its name may be that of another one after a change of the level, but
-/// then the level's identity is another one as well.
+/// What identifies a solution in keys. The name tells two apart that state the same.
 std::string nameInKeys(LevelUnderTest const& level, Solution const& solution, std::uint64_t frames) {
-    return fmt::format("{}/{}/{}", level.identity(), solution.name, frames);
+    return fmt::format("{}/{}/{}/{}", level.identity(), identityOf(solution), solution.name, frames);
 }
 
 } // namespace
@@ -45,7 +45,7 @@ std::vector<Robustness> robustnessOf(LevelUnderTest const& level, std::vector<So
         Run const& run = runs[index];
         SolvedBy const& solved = solutions[run.solution];
         CounterRandom random(
-            keyOf(options.seed, {"robustness", level.identity(), solved.solution->name}, run.number));
+            keyOf(options.seed, {"robustness", level.identity(), identityOf(*solved.solution)}, run.number));
         int redrawn = 0;
         auto const displaced = jittered(level, *solved.solution, options.jitter, random, redrawn);
         TrialResult result;

@@ -35,7 +35,7 @@ struct SolvedBy {
 [[nodiscard]] std::uint64_t patienceFor(SolvedBy const& solved);
 
 /// Runs each solution with displaced placements. Run n of a solution has its own random numbers, from the
-/// seed, the level, the solution's name and n. A solution without placements gets none.
+/// seed, the level, the solution and n, none of their words. A solution without placements gets none.
 [[nodiscard]] std::vector<Robustness> robustnessOf(LevelUnderTest const& level,
                                                    std::vector<SolvedBy> const& solutions,
                                                    RobustnessOptions const& options, Workers& workers);

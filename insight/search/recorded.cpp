@@ -1,5 +1,6 @@
 #include "insight/search/recorded.hpp"
 
+#include "insight/trial/solution_text.hpp"
 #include "insight/trial/trial.hpp"
 
 #include <fmt/format.h>
@@ -19,7 +20,8 @@ std::vector<RecordedKind> recordedKinds(LevelUnderTest const& level, Workers& wo
     std::vector<Solution> const& solutions = level.level().solutions;
     std::vector<std::string> keys;
     for (Solution const& solution : solutions) {
-        keys.push_back(fmt::format("recorded kind/{}/{}", level.identity(), solution.name));
+        keys.push_back(
+            fmt::format("recorded kind/{}/{}/{}", level.identity(), identityOf(solution), solution.name));
     }
     auto const results = workers.share(keys, [&](std::size_t index) {
         Solution const& solution = solutions[index];

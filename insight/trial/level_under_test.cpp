@@ -1,14 +1,12 @@
 #include "insight/trial/level_under_test.hpp"
 
+#include "insight/trial/level_identity.hpp"
 #include "puzzle/campaign/as_played.hpp"
-#include "puzzle/run/run_report.hpp"
 #include "runtime/level/build/build_world.hpp"
 #include "runtime/level/read/read_level.hpp"
-#include "runtime/level/write/write_level.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-#include <xxhash.h>
 
 #include <algorithm>
 #include <cmath>
@@ -42,8 +40,7 @@ LevelUnderTest::LevelUnderTest(GameData const& data, LevelFile level, std::strin
     if (level_.goals.is_null()) {
         throw std::invalid_argument(fmt::format("{}: the level has no goals, so nothing solves it", name_));
     }
-    std::string const text = levelText(level_);
-    identity_ = hashText(XXH3_64bits(text.data(), text.size()));
+    identity_ = identityOf(level_);
     world_ = buildWorld(data.registry, level_, data.parts);
     holdingFrames_ = static_cast<std::uint64_t>(std::ceil(60 * secondsStated(level_.goals)));
 }

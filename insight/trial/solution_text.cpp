@@ -2,6 +2,7 @@
 
 #include "puzzle/run/run_report.hpp"
 #include "runtime/level/build/placing.hpp"
+#include "runtime/level/write/write_level.hpp"
 
 #include <nlohmann/json.hpp>
 #include <xxhash.h>
@@ -54,7 +55,10 @@ Solution solutionFrom(std::string const& text) {
 }
 
 std::string identityOf(Solution const& solution) {
-    std::string const text = toText(solution);
+    Solution rest; // what the line of text leaves out
+    rest.changes = solution.changes;
+    rest.frames = solution.frames;
+    std::string const text = toText(solution) + writeSolution(rest).dump();
     return hashText(XXH3_64bits(text.data(), text.size()));
 }
 

@@ -81,5 +81,20 @@ TEST(SolutionText, IsReadBackBitForBit) {
     EXPECT_NE(identityOf(back), identityOf(placing("spanner", {0.1, 1.0 / 3}, 0.7)));
 }
 
+TEST(SolutionText, IdentifiesWhatDecidesTheRun) {
+    Solution const solution = placing("spanner", {0.1, 0.2});
+    Solution renamed = solution;
+    renamed.name = "another name";
+    EXPECT_EQ(identityOf(renamed), identityOf(solution));
+    Solution longer = solution;
+    longer.frames = 900;
+    EXPECT_NE(identityOf(longer), identityOf(solution));
+    Solution changed = solution;
+    changed.changes.push_back(
+        {.frame = 5, .kind = RecordedChange::Kind::detail, .subject = "electricity", .level = "on and off"});
+    EXPECT_NE(identityOf(changed), identityOf(solution));
+    EXPECT_NE(identityOf(placing("spanner", {0.1, 0.2}, 0.1)), identityOf(solution));
+}
+
 } // namespace
 } // namespace trembler::insight

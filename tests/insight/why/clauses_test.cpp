@@ -50,7 +50,7 @@ TEST(Clauses, InflectWhatTheyName) {
     EXPECT_EQ(because(step(StepKind::liquid, {"float", "water body"})),
               "weil der Schwimmer in das Wasser eintaucht");
     EXPECT_EQ(said(step(StepKind::cut, {"battery plus", "left contact"})),
-              "du hast den Draht zwischen dem Pluspol und dem linken Kontakt durchgeschnitten");
+              "du hast die Leitung zwischen dem Pluspol und dem linken Kontakt durchgeschnitten");
     EXPECT_EQ(said(step(StepKind::placed, {"bar magnet 1"})),
               "du hast Stabmagnet 1 vor dem Start dorthin gelegt");
     EXPECT_EQ(said(step(StepKind::other, {"fuse"}, "blown")), "die Sicherung brennt durch");
