@@ -42,8 +42,9 @@ void Aftermath::look(World const& world, CircuitSight& circuits) {
         if (!part.now) {
             Miss first = miss;
             first.besides.clear();
-            addLift(first, world);
+            addLift(first, world, Rise::any); // in one frame it sank hardly
             for (Miss& other : first.besides) {
+                other.frame = frame;
                 nameObjects(other, world.store());
             }
             part.now = Break{frame, 0, {}, std::move(first.besides)};

@@ -15,7 +15,7 @@ namespace trembler::insight {
 /// nothing else was. Not thread-safe.
 class Aftermath {
 public:
-    /// For less than this, in frames, is a bounce.
+    /// A break shorter than this number of frames counts as a bounce.
     static constexpr std::uint64_t bounce = 15;
 
     /// The condition held, but for that number of frames less than it should. Forgets what it knew. `goal`

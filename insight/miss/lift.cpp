@@ -12,6 +12,7 @@
 #include "physics/dynamics/properties/shape_order.hpp"
 #include "physics/dynamics/properties/shape_rules.hpp"
 #include "physics/gravity/properties.hpp"
+#include "runtime/placement.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -25,6 +26,7 @@ namespace {
 
 constexpr double leastRise = 1e-3;  // m: what should be higher by less is where it should be
 constexpr double leastShare = 0.01; // of the weight, that is worth a word
+constexpr double leastSlope = 0.01; // of the way: less is level
 constexpr double leastLever = 0.1;  // of the width: a force that acts nearer to the middle turns little
 constexpr double steepest = 0.5;    // the cosine of the slope on which something still lies
 
@@ -51,9 +53,10 @@ std::optional<Body> bodyOf(World const& world, ObjectId id) {
         faultIn(*shape) || world.find<Fixed>(id) != nullptr || world.find<Liquid>(id) != nullptr) {
         return std::nullopt;
     }
-    auto const weight = std::find_if(gravity->forces.begin(), gravity->forces.end(),
-                                     [&](GravityForce::Entry const& entry) { return entry.object == id; });
-    if (weight == gravity->forces.end()) {
+    auto const weight = std::lower_bound( // they are ascending
+        gravity->forces.begin(), gravity->forces.end(), id,
+        [](GravityForce::Entry const& entry, ObjectId wanted) { return entry.object < wanted; });
+    if (weight == gravity->forces.end() || weight->object != id) {
         return std::nullopt;
     }
     Rotation const* const rotation = world.find<Rotation>(id);
@@ -62,17 +65,64 @@ std::optional<Body> bodyOf(World const& world, ObjectId id) {
     return Body{id, shape, pose, angle, pose.toWorld(centreOfMass(*shape)), weight->force};
 }
 
+/// One object of a pair with the other one.
+struct Neighbour {
+    ObjectId of;
+    ObjectId other; ///< invalid: the world
+    bool welded = false;
+};
+
+/// The neighbours of one object, in the order in which they were added.
+std::span<Neighbour const> neighboursOf(std::vector<Neighbour> const& all, ObjectId id) {
+    auto const before = [](Neighbour const& a, Neighbour const& b) { return a.of < b.of; };
+    auto const [first, last] = std::equal_range(all.begin(), all.end(), Neighbour{id, {}, false}, before);
+    return {first, last};
+}
+
+/// What is tied to what and touches what, by object: a scene may have many thousand joints and contacts.
+class Neighbours {
+public:
+    explicit Neighbours(World const& world) {
+        if (auto const* const joints = world.store().findColumn<Joint>()) {
+            for (ObjectId const joint : joints->owners()) {
+                Joint const& one = *joints->find(joint);
+                add(tied_, one.a, one.b, one.form == JointForm::weld && one.a.valid() && one.b.valid());
+            }
+        }
+        if (auto const* const contacts = world.find<Contacts>()) {
+            for (TouchingPair const& pair : contacts->current) {
+                add(touching_, pair.a, pair.b, false);
+            }
+        }
+        for (std::vector<Neighbour>* const all : {&tied_, &touching_}) {
+            std::stable_sort(all->begin(), all->end(),
+                             [](Neighbour const& a, Neighbour const& b) { return a.of < b.of; });
+        }
+    }
+    [[nodiscard]] std::span<Neighbour const> tiedTo(ObjectId id) const { return neighboursOf(tied_, id); }
+    [[nodiscard]] std::span<Neighbour const> touching(ObjectId id) const {
+        return neighboursOf(touching_, id);
+    }
+
+private:
+    static void add(std::vector<Neighbour>& to, ObjectId a, ObjectId b, bool welded) {
+        to.push_back({a, b, welded});
+        to.push_back({b, a, welded});
+    }
+    std::vector<Neighbour> tied_;
+    std::vector<Neighbour> touching_;
+};
+
 /// A body and all that joints tie it to, through others as well.
 struct Group {
     std::vector<Body> bodies;
     bool welded = true; ///< it moves as one
 };
 
-Group groupOf(World const& world, ObjectId id) {
+Group groupOf(World const& world, Neighbours const& neighbours, ObjectId id) {
     Group group;
     std::vector<ObjectId> open{id};
     std::set<ObjectId> known{id};
-    auto const* const joints = world.store().findColumn<Joint>();
     while (!open.empty()) {
         ObjectId const at = open.back();
         open.pop_back();
@@ -81,15 +131,10 @@ Group groupOf(World const& world, ObjectId id) {
             continue; // what is fixed ties nothing together
         }
         group.bodies.push_back(*body);
-        for (ObjectId const joint : joints == nullptr ? std::span<ObjectId const>() : joints->owners()) {
-            Joint const& one = *joints->find(joint);
-            if (one.a != at && one.b != at) {
-                continue;
-            }
-            ObjectId const other = one.a == at ? one.b : one.a;
-            group.welded = group.welded && one.form == JointForm::weld && other.valid();
-            if (other.valid() && known.insert(other).second) {
-                open.push_back(other);
+        for (Neighbour const& one : neighbours.tiedTo(at)) {
+            group.welded = group.welded && one.welded;
+            if (one.other.valid() && known.insert(one.other).second) {
+                open.push_back(one.other);
             }
         }
     }
@@ -106,12 +151,9 @@ bool liesOn(Body const& above, Body const& below, Vec2 up) {
 }
 
 /// What lies on the bodies, and on that in turn.
-std::vector<Body> carriedBy(World const& world, std::vector<Body> const& bodies, Vec2 up) {
+std::vector<Body> carriedBy(World const& world, Neighbours const& neighbours, std::vector<Body> const& bodies,
+                            Vec2 up) {
     std::vector<Body> carried;
-    auto const* const contacts = world.find<Contacts>();
-    if (contacts == nullptr) {
-        return carried;
-    }
     std::set<ObjectId> known;
     for (Body const& body : bodies) {
         known.insert(body.id);
@@ -120,11 +162,8 @@ std::vector<Body> carriedBy(World const& world, std::vector<Body> const& bodies,
     while (!open.empty()) {
         Body const below = open.back();
         open.pop_back();
-        for (TouchingPair const& pair : contacts->current) {
-            if (pair.a != below.id && pair.b != below.id) {
-                continue;
-            }
-            ObjectId const other = pair.a == below.id ? pair.b : pair.a;
+        for (Neighbour const& one : neighbours.touching(below.id)) {
+            ObjectId const other = one.other;
             if (known.contains(other)) {
                 continue;
             }
@@ -143,13 +182,12 @@ std::vector<Body> carriedBy(World const& world, std::vector<Body> const& bodies,
 /// The liquids of a world.
 class Liquids {
 public:
-    explicit Liquids(World const& world) {
+    /// `gravity`: m/s².
+    Liquids(World const& world, Vec2 gravity) : gravity_(gravity) {
         auto const* const column = world.store().findColumn<Liquid>();
-        auto const* const gravity = world.find<LinearGravityVector>();
-        if (column == nullptr || gravity == nullptr) {
+        if (column == nullptr) {
             return;
         }
-        gravity_ = gravity->gravity;
         for (ObjectId const id : column->owners()) {
             Shape const* const shape = world.find<Shape>(id);
             Position const* const position = world.find<Position>(id);
@@ -163,13 +201,6 @@ public:
                                 liquidPieces(inOrder(*shape), pose)});
         }
     }
-    [[nodiscard]] bool empty() const { return liquids_.empty(); }
-    /// Out of the liquids, against gravity; 0 without any.
-    [[nodiscard]] Vec2 up() const {
-        double const strength = length(gravity_);
-        return strength > 0 ? -gravity_ / strength : Vec2{};
-    }
-
     /// The forces on a body that is moved by `by`; `most` becomes the liquid with the greatest one.
     [[nodiscard]] std::vector<ActingForce> on(Body const& body, Vec2 by, ObjectId& most,
                                               double& greatest) const {
@@ -231,18 +262,50 @@ double widthOf(std::vector<Body> const& bodies, Vec2 up) {
     return most - least;
 }
 
-/// The same for the way that one object lacks; whether there is anything to tell.
-bool addLiftOf(Miss& miss, ObjectId mover, Vec2 way, World const& world, Liquids const& liquids) {
-    Vec2 const up = liquids.up();
-    double const rise = dot(way, up);
-    if (rise < leastRise) {
+/// Adds what liquids lack to the misses of a world.
+class LiftTeller {
+public:
+    /// `gravity`: m/s², not 0.
+    LiftTeller(World const& world, Vec2 gravity, Rise rise)
+        : world_(world), gravity_(gravity), up_(-gravity / length(gravity)), rise_(rise) {}
+
+    void add(Miss& miss);
+
+private:
+    bool addOf(Miss& miss, ObjectId mover, Vec2 way);
+    /// Whether something is to be moved up.
+    [[nodiscard]] bool rises(Vec2 way) const {
+        double const rise = dot(way, up_);
+        double const level = leastSlope * length(way);
+        return rise > 0 && rise >= (rise_ == Rise::any ? std::min(leastRise, level) : leastRise);
+    }
+
+    World const& world_;
+    Vec2 gravity_;
+    Vec2 up_;
+    Rise rise_;
+    // Made for the first one that should be higher: mostly there is none.
+    std::optional<Liquids> liquids_;
+    std::optional<Neighbours> neighbours_;
+};
+
+/// For the way that one object lacks; whether there is anything to tell.
+bool LiftTeller::addOf(Miss& miss, ObjectId mover, Vec2 way) {
+    if (!rises(way)) {
         return false;
     }
-    Group const group = groupOf(world, mover);
+    if (!liquids_) {
+        liquids_.emplace(world_, gravity_);
+        neighbours_.emplace(world_);
+    }
+    Liquids const& liquids = *liquids_;
+    Vec2 const up = up_;
+    double const rise = dot(way, up);
+    Group const group = groupOf(world_, *neighbours_, mover);
     if (group.bodies.empty()) {
         return false;
     }
-    std::vector<Body> const carried = carriedBy(world, group.bodies, up);
+    std::vector<Body> const carried = carriedBy(world_, *neighbours_, group.bodies, up);
     Vec2 about;
     double weights = 0;
     for (Body const& body : group.bodies) {
@@ -306,25 +369,26 @@ bool addLiftOf(Miss& miss, ObjectId mover, Vec2 way, World const& world, Liquids
     return true;
 }
 
-void addLift(Miss& miss, World const& world, Liquids const& liquids) {
+void LiftTeller::add(Miss& miss) {
     for (Miss& other : miss.besides) {
-        addLift(other, world, liquids);
+        add(other);
     }
     if (miss.lack != Lack::distance || miss.objects.empty()) {
         return;
     }
     Vec2 const way = miss.to - miss.from;
-    if (!addLiftOf(miss, miss.objects.front(), way, world, liquids) && miss.objects.size() > 1) {
-        addLiftOf(miss, miss.objects[1], -1.0 * way, world, liquids);
+    if (!addOf(miss, miss.objects.front(), way) && miss.objects.size() > 1) {
+        addOf(miss, miss.objects[1], -1.0 * way);
     }
 }
 
 } // namespace
 
-void addLift(Miss& miss, World const& world) {
-    Liquids const liquids(world);
-    if (!liquids.empty()) {
-        addLift(miss, world, liquids);
+void addLift(Miss& miss, World const& world, Rise rise) {
+    auto const* const column = world.store().findColumn<Liquid>();
+    auto const* const gravity = world.find<LinearGravityVector>();
+    if (column != nullptr && column->size() > 0 && gravity != nullptr && length(gravity->gravity) > 0) {
+        LiftTeller(world, gravity->gravity, rise).add(miss);
     }
 }
 

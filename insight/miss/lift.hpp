@@ -4,14 +4,23 @@
 #include "insight/miss/miss.hpp"
 #include "runtime/world/world.hpp"
 
+#include <cstdint>
+
 namespace trembler::insight {
 
+/// By how much something should be higher for it to count.
+enum class Rise : std::uint8_t {
+    clear, ///< a millimetre
+    any,   ///< less too, unless it should be moved nearly level: it only begins to sink
+};
+
 /// Adds to the miss of an object that should be higher what the liquid around it lacks: the force by which it
-/// would lift the object there less than it and all that it carries weigh; and, if the object and what joints
-/// tie it to are welded together and carry something, the torque by which that turns them more than the
-/// liquid rights them. Carried is what lies on top, through others as well. Does the same for what stood in
-/// the way besides. Adds nothing for other objects, for places outside of liquids, and where nothing is
-/// lacking. The objects of what is added: the liquid, the object, and what it is tied to and carries.
-void addLift(Miss& miss, World const& world);
+/// would lift the object there less than it, what joints tie it to and all that lies on them weigh; and, if
+/// the object and what joints tie it to are welded together and carry something, the torque by which that
+/// turns them more than the liquid rights them. Carried is what lies on top, through others as well. Does the
+/// same for what stood in the way besides. Adds nothing for other objects, for places outside of liquids, and
+/// where nothing is lacking. The objects of what is added: the liquid, the object, and what it is tied to and
+/// carries.
+void addLift(Miss& miss, World const& world, Rise rise = Rise::clear);
 
 } // namespace trembler::insight

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <optional>
 
 namespace trembler::insight {
 namespace {
@@ -103,8 +104,29 @@ std::string gapsText(Miss const& miss, Tongue const& tongue) {
                        {joined});
 }
 
-/// How near a miss was to what it is about: of the whole run the nearest, or of what had held the farthest.
-enum class Extreme : std::uint8_t { nearest, farthest };
+/// Which moment of what it is about a miss tells.
+enum class Extreme : std::uint8_t {
+    nearest,  ///< of the whole run
+    farthest, ///< since it held
+    none,     ///< that of another miss
+};
+
+/// What no measure tells how nearly; of an object, if there is one.
+std::string otherWayText(std::optional<Said> const& object, Extreme extreme, std::string const& when,
+                         Tongue const& tongue) {
+    if (extreme == Extreme::nearest) {
+        return object ? tongue.mix("{} never was as it should be", {*object})
+                      : tongue.fill("it never was as it should be", {});
+    }
+    if (extreme == Extreme::farthest) {
+        return (object ? tongue.mix("{} ceased to be as it should be", {*object})
+                       : tongue.fill("it ceased to be as it should be", {})) +
+               when;
+    }
+    return (object ? tongue.mix("{} was not as it should be", {*object})
+                   : tongue.fill("it was not as it should be", {})) +
+           when;
+}
 
 /// What one miss says, with its moment.
 std::string sentenceOf(Miss const& miss, Extreme extreme, std::string const& when, Tongue const& tongue) {
@@ -118,14 +140,17 @@ std::string sentenceOf(Miss const& miss, Extreme extreme, std::string const& whe
     case Lack::distance: {
         Said const by{tongue.distance(miss.by)};
         if (names.size() < 2) {
-            return tongue.mix("{} was {} short of where it should be", {first, by}) + when;
+            return tongue.mix(extreme == Extreme::nearest ? "{} was {} short of where it should be"
+                                                          : "{} was {} away from where it should be",
+                              {first, by}) +
+                   when;
         }
         return (extreme == Extreme::nearest ? tongue.mix("{} came within {} of {}", {first, by, second})
                                             : tongue.mix("{} was {} away from {}", {first, by, second})) +
                when;
     }
     case Lack::gap:
-        return tongue.mix("no current flowed through {}: {}", {first, {gapsText(miss, tongue)}});
+        return tongue.mix("no current flowed through {}: {}", {first, {gapsText(miss, tongue)}}) + when;
     case Lack::power:
         return tongue.mix("{} lacked {}", {first, amount(3)}) + when;
     case Lack::force:
@@ -133,19 +158,20 @@ std::string sentenceOf(Miss const& miss, Extreme extreme, std::string const& whe
     case Lack::lift:
         return tongue.mix(names.size() > 2
                               ? "{} would have lifted {} there with {} less than the weight of it "
-                                "and all that it carries"
+                                "and all that is tied to it or lies on it"
                               : "{} would have lifted {} there with {} less than its weight",
-                          {first, second, amount(0)});
+                          {first, second, amount(0)}) +
+               when;
     case Lack::torque:
-        return tongue.mix("the load turned {} with {} more than {} righted it", {second, amount(0), first});
+        return tongue.mix("the load turned {} with {} more than {} righted it", {second, amount(0), first}) +
+               when;
     case Lack::count:
         return tongue.mix("the number was wrong by {}", {{tongue.number(miss.by, 0)}}) + when;
     case Lack::time:
         return tongue.mix("it held, but for {} less than it should", {amount(2)}) + when;
     case Lack::steps:
     case Lack::change:
-        return names.empty() ? tongue.fill("it never was as it should be", {})
-                             : tongue.mix("{} never was as it should be", {first});
+        return otherWayText(names.empty() ? std::nullopt : std::optional(first), extreme, when, tongue);
     case Lack::nothing:
         break;
     }
@@ -189,7 +215,8 @@ void addSentences(Miss const& miss, Extreme extreme, std::uint64_t told, Tongue 
     Extreme const here = later ? Extreme::farthest : extreme;
     sentences.push_back(capitalised(sentenceOf(miss, here, when, tongue)) + ".");
     for (Miss const& other : miss.besides) {
-        addSentences(other, here, later ? miss.frame : told, tongue, sentences);
+        Extreme const there = here == Extreme::nearest ? here : Extreme::none;
+        addSentences(other, there, later ? miss.frame : told, tongue, sentences);
     }
 }
 

@@ -16,7 +16,8 @@ namespace {
 constexpr double gravity = 9.81;
 
 /// A basin of water up to y = 0, a plank in it that a goal wants higher, and what lies on the plank.
-LevelFile basin(double density, std::string const& more = "", std::string const& area = "[-9, 0.2, 18, 2]") {
+LevelFile basin(double density, std::string const& more = "", std::string const& area = "[-9, 0.2, 18, 2]",
+                std::string const& goal = "") {
     std::string const text = R"({"version": 2, "title": "Basin",
   "world": {"gravity": [0, -9.81], "bounds": [-10, -5, 20, 10]},
   "objects": [
@@ -26,7 +27,7 @@ LevelFile basin(double density, std::string const& more = "", std::string const&
      "properties": {"shape": [{"form": "box", "width": 2, "height": 0.2}], "density": )" +
                              std::to_string(density) + "}}" + more + R"(],
   "goals": {"inside": {"object": "plank", "area": )" +
-                             area + R"(}, "id": "up"}})";
+                             area + R"(}, "id": "up")" + goal + "}}";
     return readLevel(testedData().registry, JsonDocument::parse(text, "basin.json"));
 }
 
@@ -75,6 +76,33 @@ TEST(Lift, IsNotAskedOfALiquidThatDoesNotReachThere) {
     Miss const miss = missIn(basin(2000, "", "[-9, 0.5, 18, 2]"));
     ASSERT_EQ(miss.lack, Lack::distance);
     EXPECT_TRUE(miss.besides.empty());
+}
+
+// In the frame in which it leaves the area, it is less than a millimetre below it.
+TEST(Lift, OfWhatSinksSlowlyIsToldOfTheMomentAtWhichItBeganTo) {
+    constexpr double density = 1020;
+    constexpr double deep = 1e-3; // m that it may sink
+    LevelFile const level = basin(density, "", "[-9, -1.001, 18, 2]", R"(, "for": 5)");
+    Miss const miss = missIn(level, 240);
+    ASSERT_EQ(miss.lack, Lack::time);
+    ASSERT_EQ(miss.besides.size(), 1U);
+    Miss const& sunk = miss.besides.front();
+    EXPECT_EQ(sunk.lack, Lack::distance);
+    Miss const* const lift = lackIn(sunk, Lack::lift);
+    ASSERT_NE(lift, nullptr);
+    double const missing = (density - 1000) * 2 * 0.2 * worldDepth * gravity;
+    EXPECT_NEAR(lift->by, missing, 0.01 * missing);
+    // It falls freely at most, under what it lacks: by less than it may sink in the frames before that
+    // moment.
+    EXPECT_LT(lift->frame, sunk.frame);
+    double const time = static_cast<double>(lift->frame) * frameDuration;
+    EXPECT_GT(missing / (density * 2 * 0.2 * worldDepth) / 2 * time * time, 0.8 * deep);
+    EXPECT_LT(time, 1);
+    // Explained frame by frame: when it ended, less than a millimetre was missing.
+    Miss const then = missIn(level, lift->frame);
+    ASSERT_EQ(then.besides.size(), 1U);
+    EXPECT_LT(then.besides.front().by, deep);
+    EXPECT_NE(lackIn(then.besides.front(), Lack::lift), nullptr);
 }
 
 TEST(Lift, BearsWhatLiesOnItAndIsTurnedByIt) {

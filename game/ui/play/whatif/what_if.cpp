@@ -153,7 +153,8 @@ void WhatIfView::pass() {
         drop();
         return;
     }
-    if (next_ && next_->begun()) {
+    // At frame 0 it has begun with its last world, before what it is shown on is built.
+    if (next_ && worldsBuilt_ == worldsToBuild && next_->begun()) {
         shown_ = std::move(next_);
         stage_ = std::move(nextStage_);
         staged_.reset();

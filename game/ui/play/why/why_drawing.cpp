@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <string>
 
 namespace trembler::ui {
@@ -99,9 +100,9 @@ void drawDashed(Canvas& canvas, Point from, Point to) {
     }
 }
 
-/// Calls f(from, to, width) for each gap and each distance of a miss.
+/// Calls f(from, to, width) for each gap and each distance of a miss, at its moment: `frame`.
 template <class F>
-void forEachLack(Miss const& miss, F&& f) {
+void forEachLack(Miss const& miss, std::uint64_t frame, F&& f) {
     if (miss.lack == Lack::distance) {
         f(toPoint(miss.from), toPoint(miss.to), miss.by);
     }
@@ -109,7 +110,9 @@ void forEachLack(Miss const& miss, F&& f) {
         f(toPoint(gap.from), toPoint(gap.to), gap.width);
     }
     for (Miss const& other : miss.besides) {
-        forEachLack(other, f);
+        if (other.frame == 0 || other.frame == frame) { // else it was elsewhere then
+            forEachLack(other, frame, f);
+        }
     }
 }
 
@@ -144,7 +147,7 @@ void drawWhy(Canvas& canvas, WhyPanel const& panel) {
     if (hasChain(panel)) {
         drawChain(canvas, panel);
     } else if (Miss const* const miss = missOf(panel); panel.open() && miss != nullptr) {
-        forEachLack(*miss, [&](Point from, Point to, double) {
+        forEachLack(*miss, miss->frame, [&](Point from, Point to, double) {
             drawDashed(canvas, from, to);
             for (Point const end : {from, to}) {
                 canvas.ring(end, canvas.metres(ringOfMiss),
@@ -169,7 +172,7 @@ void drawWhyWords(Camera const& camera, double uiScale, WhyPanel const& panel) {
         }
     } else if (Miss const* const miss = missOf(panel); panel.open() && miss != nullptr) {
         insight::Tongue const tongue = tongueInUse();
-        forEachLack(*miss, [&](Point from, Point to, double width) {
+        forEachLack(*miss, miss->frame, [&](Point from, Point to, double width) {
             worldLabel(camera, 0.5 * (from + to), tongue.distance(width).c_str(),
                        {.look = LabelLook::Chip,
                         .colour = palette::warning,

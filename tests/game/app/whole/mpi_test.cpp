@@ -4,10 +4,13 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <sstream>
 #include <string>
 #include <sys/wait.h>
+#include <vector>
 
 namespace trembler::test {
 namespace {
@@ -54,11 +57,26 @@ json foundIn(std::string const& text) {
     return all;
 }
 
-/// Leaves the first half of a file, and half a line more, as a power cut does.
-void cutInTheMiddle(std::filesystem::path const& file) {
+/// Leaves the first half of a file, and half a line more, as a power cut does. What is left of whole lines.
+std::string cutInTheMiddle(std::filesystem::path const& file) {
     std::string const text = contentsOf(file);
-    ASSERT_GT(text.size(), 1000U) << file;
-    std::filesystem::resize_file(file, text.find('\n', text.size() / 2) + 20);
+    EXPECT_GT(text.size(), 1000U) << file;
+    std::size_t const cut = std::min(text.find('\n', text.size() / 2) + 20, text.size() - 1);
+    std::filesystem::resize_file(file, cut);
+    return text.substr(0, text.substr(0, cut).rfind('\n') + 1);
+}
+
+/// What the whole lines of a journal say to be finished.
+std::vector<std::string> finishedWork(std::filesystem::path const& file) {
+    std::vector<std::string> works;
+    std::istringstream lines(contentsOf(file));
+    for (std::string line; std::getline(lines, line);) {
+        json const entry = json::parse(line, nullptr, false);
+        if (entry.is_object()) {
+            works.push_back(entry.at("work"));
+        }
+    }
+    return works;
 }
 
 TEST_F(SharedOut, ASearchFindsTheSameInAnyNumberOfProcesses) {
@@ -90,9 +108,18 @@ TEST_F(SharedOut, SeveralLevelsAreSearchedTheSameByAnyNumberOfProcesses) {
 TEST_F(SharedOut, ASearchOfSeveralLevelsThatWasCutOffGoesOn) {
     std::string const arguments = several + fmt::format(" --resume '{}'", at("pack.jsonl"));
     json const whole = foundIn(shared(2, arguments));
-    cutInTheMiddle(at("pack.jsonl"));
-    cutInTheMiddle(at("pack.jsonl.1"));
+    std::string const first = cutInTheMiddle(at("pack.jsonl"));
+    std::string const second = cutInTheMiddle(at("pack.jsonl.1"));
     EXPECT_EQ(foundIn(shared(2, arguments)), whole);
+    // What was finished is still there, and nothing was computed twice.
+    EXPECT_EQ(contentsOf(at("pack.jsonl")).substr(0, first.size()), first);
+    EXPECT_EQ(contentsOf(at("pack.jsonl.1")).substr(0, second.size()), second);
+    std::vector<std::string> works = finishedWork(at("pack.jsonl"));
+    std::vector<std::string> const others = finishedWork(at("pack.jsonl.1"));
+    works.insert(works.end(), others.begin(), others.end());
+    EXPECT_GT(works.size(), 2U);
+    std::sort(works.begin(), works.end());
+    EXPECT_EQ(std::adjacent_find(works.begin(), works.end()), works.end());
 }
 
 TEST_F(SharedOut, AReportIsTheSameInAnyNumberOfProcesses) {
