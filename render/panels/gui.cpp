@@ -189,9 +189,22 @@ void renderLists(ImDrawData& all, bool beneath) {
     }
 }
 
+/// Enter begins to type where the ring of the keyboard is on a field; anything else it presses, as Space does
+/// and as a key of menus does. Since 1.89 ImGui does so itself. Call at the end of a frame.
+void pressByEnter() {
+#if IMGUI_VERSION_NUM < 18900
+    ImGuiContext const& context = *ImGui::GetCurrentContext();
+    // A field that Enter opened is active now; one that it closed was active before.
+    if (context.NavActivateInputId != 0 && context.ActiveId == 0 && context.ActiveIdPreviousFrame == 0) {
+        ImGui::ActivateItem(context.NavActivateInputId);
+    }
+#endif
+}
+
 } // namespace
 
 void Gui::endFrame(std::function<void()> const& beneath) {
+    pressByEnter();
     ImGui::Render();
     window_.bind();
     ImDrawData& all = *ImGui::GetDrawData();
@@ -206,6 +219,7 @@ void Gui::endFrame(std::function<void()> const& beneath) {
 }
 
 void Gui::dropFrame() {
+    pressByEnter();
     ImGui::EndFrame();
 }
 

@@ -9,33 +9,31 @@ struct WindowState {
 };
 
 /// Some window managers forget that a window was maximised while it fills the screen, and SDL only knows the
-/// size from before; others answer late, when the window has been seen small already. So for a few pictures
-/// after the whole screen the window is maximised whenever it is not. Plain data.
+/// size from before; others answer late, when the window has been seen small already. So for a moment after
+/// the whole screen the window is maximised whenever it is not. A moment of time, not of pictures: where
+/// nothing changes none is drawn, and a window that the player makes smaller later must stay so. Plain data.
 class Maximising {
 public:
     /// The window is about to fill the screen (`on`), or to leave it; `now` is how it is until then.
-    void switches(bool on, WindowState now) {
+    /// `seconds` on any clock.
+    void switches(bool on, WindowState now, double seconds) {
         if (on && !now.fullscreen) {
-            before_ = now.maximised || left_ > 0;
-            left_ = 0;
+            before_ = now.maximised || seconds < until_;
+            until_ = -1;
         } else if (!on && now.fullscreen) {
-            left_ = before_ ? patience : 0;
+            until_ = before_ ? seconds + patience : -1;
         }
     }
-    /// Once per picture: whether the window is to be maximised now.
-    [[nodiscard]] bool due(WindowState now) {
-        if (left_ == 0) {
-            return false;
-        }
-        --left_;
-        return !now.fullscreen && !now.maximised;
+    /// With every picture: whether the window is to be maximised now.
+    [[nodiscard]] bool due(WindowState now, double seconds) const {
+        return seconds < until_ && !now.fullscreen && !now.maximised;
     }
 
 private:
-    static constexpr int patience = 20; // pictures, a third of a second
+    static constexpr double patience = 1; // s
 
     bool before_ = false; // it was maximised before it filled the screen
-    int left_ = 0;        // pictures in which it may be maximised
+    double until_ = -1;   // it may be maximised until then
 };
 
 } // namespace trembler::render

@@ -16,6 +16,10 @@ namespace {
 /// The size of the SDL window behind an offscreen picture; it is never shown.
 constexpr int hiddenWindowSize = 64;
 
+double secondsNow() {
+    return 0.001 * static_cast<double>(SDL_GetTicks64());
+}
+
 /// epoxy aborts the program when it finds no OpenGL library, so we look before it does.
 bool openGlLibraryIsThere() {
     for (auto const* name : std::array{"libGL.so.1", "libOpenGL.so.0"}) {
@@ -186,7 +190,7 @@ void Window::setFullscreen(bool on) {
     if (offscreen_) {
         return;
     }
-    maximising_.switches(on, state());
+    maximising_.switches(on, state(), secondsNow());
     SDL_SetWindowFullscreen(window_.get(), on ? Uint32{SDL_WINDOW_FULLSCREEN_DESKTOP} : Uint32{0});
     followMaximising();
 }
@@ -198,7 +202,7 @@ WindowState Window::state() const {
 }
 
 void Window::followMaximising() {
-    if (maximising_.due(state())) {
+    if (maximising_.due(state(), secondsNow())) {
         SDL_MaximizeWindow(window_.get());
     }
 }

@@ -98,7 +98,8 @@ Command expectSolved(Json const& level, std::string const& name, bool solved) {
 Command setSolutionFrames(Json const& level, std::string const& name, int frames) {
     static_cast<void>(indexOfSolution(level, name));
     if (frames < 0 || frames > limits::frames) {
-        throw CommandError(fmt::format("a run has 1 to {} frames", limits::frames));
+        throw CommandError(
+            fmt::format("a run is stated to have 1 to {} frames, or 0: as long as it takes", limits::frames));
     }
     return {fmt::format("Change length of '{}'", name), [=](Json& tree) {
                 Json& entry = tree[solutionsKey][indexOfSolution(tree, name)];

@@ -17,7 +17,7 @@ public:
         : forgets_(forgets), delay_(delay), state_{false, maximised} {}
 
     void fullscreen(bool on) {
-        maximising_.switches(on, state_);
+        maximising_.switches(on, state_, seconds_);
         asked_.push_back({delay_, [this, on] {
                               state_.fullscreen = on;
                               state_.maximised = state_.maximised && !(forgets_ && on);
@@ -25,6 +25,7 @@ public:
         follow();
     }
     void picture() {
+        seconds_ += 1.0 / 60;
         for (Request& request : asked_) {
             if (request.left-- == 0) {
                 request.done();
@@ -37,6 +38,8 @@ public:
             picture();
         }
     }
+    /// Time in which nothing is drawn, as nothing changes.
+    void wait(double seconds) { seconds_ += seconds; }
     void restore() { state_.maximised = false; }
     [[nodiscard]] WindowState state() const { return state_; }
 
@@ -46,7 +49,7 @@ private:
         std::function<void()> done;
     };
     void follow() {
-        if (maximising_.due(state_)) {
+        if (maximising_.due(state_, seconds_)) {
             state_.maximised = true;
         }
     }
@@ -54,6 +57,7 @@ private:
     bool forgets_;
     int delay_;
     WindowState state_;
+    double seconds_ = 100;
     Maximising maximising_;
     std::vector<Request> asked_;
 };
@@ -89,8 +93,21 @@ TEST(Maximising, EndsSoon) {
     desktop.fullscreen(true);
     desktop.pictures(30);
     desktop.fullscreen(false);
-    desktop.pictures(30);
+    desktop.pictures(70);
     desktop.restore(); // by the player
+    desktop.pictures(30);
+    EXPECT_FALSE(desktop.state().maximised);
+}
+
+TEST(Maximising, EndsSoonWhereHardlyAnythingIsDrawn) {
+    FakeDesktop desktop(true, true, 0);
+    desktop.fullscreen(true);
+    desktop.pictures(2);
+    desktop.fullscreen(false);
+    desktop.pictures(2);
+    ASSERT_TRUE(desktop.state().maximised);
+    desktop.wait(4);
+    desktop.restore();
     desktop.pictures(30);
     EXPECT_FALSE(desktop.state().maximised);
 }

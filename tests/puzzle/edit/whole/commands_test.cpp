@@ -11,8 +11,10 @@
 #include "puzzle/edit/commands/shapes.hpp"
 #include "puzzle/edit/commands/solutions.hpp"
 #include "puzzle/edit/tree/entry_pieces.hpp"
+#include "runtime/level/json/limits.hpp"
 #include "tests/puzzle/edit/edit_kit.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -313,7 +315,9 @@ TEST(SolutionCommands, RecordAndExpect) {
     EXPECT_EQ(level["solutions"][0]["frames"], 90);
     level = done(level, setSolutionFrames(level, "wait", 0));
     EXPECT_FALSE(level["solutions"][0].contains("frames"));
-    EXPECT_NE(refusalOf([&] { return setSolutionFrames(level, "wait", -1); }), "");
+    std::string const refused = refusalOf([&] { return setSolutionFrames(level, "wait", -1); });
+    EXPECT_NE(refused.find(fmt::format("1 to {} frames, or 0", limits::frames)), std::string::npos)
+        << "0 is allowed: " << refused;
     level = done(level, moveSolution(level, 1, 0));
     EXPECT_EQ(level["solutions"][0]["name"], "wait 2");
     EXPECT_NE(refusalOf([&] { return renameSolution(level, "wait", "wait 2"); }), "");

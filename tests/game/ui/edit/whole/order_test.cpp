@@ -1,4 +1,5 @@
 // The order of toolbox and solutions is changed in the editor, by mouse and by keyboard.
+#include "runtime/level/json/limits.hpp"
 #include "tests/game/ui/edit/editor_kit.hpp"
 
 #include <imgui_internal.h>
@@ -162,7 +163,13 @@ TEST(EditorOrder, OfSolutionsByMouse) {
     EXPECT_EQ(designer.parts().document.text(), before);
 }
 
-TEST(EditorOrder, ByKeyboardTheRingStaysWithWhatIsMoved) {
+/// By either key that presses: Enter is the one that the tip of the panel's command names.
+class EditorOrderByKey : public testing::TestWithParam<SDL_Keycode> {};
+
+INSTANTIATE_TEST_SUITE_P(Keys, EditorOrderByKey, testing::Values(SDLK_SPACE, SDLK_RETURN),
+                         [](auto const& key) { return key.param == SDLK_SPACE ? "Space" : "Enter"; });
+
+TEST_P(EditorOrderByKey, TheRingStaysWithWhatIsMoved) {
     Designer designer;
     designer.editText(orderedLevel);
     designer.key(SDLK_F7);
@@ -170,11 +177,11 @@ TEST(EditorOrder, ByKeyboardTheRingStaysWithWhatIsMoved) {
     designer.key(SDLK_F9);
     designer.frames(3);
     ringTo(designer, "solution 0 down");
-    designer.key(SDLK_SPACE);
+    designer.key(GetParam());
     designer.frames(3);
     EXPECT_EQ(solutionsOf(designer), "two, one, three, ");
     EXPECT_TRUE(ringIsOn(designer, "solution 1 down"));
-    designer.key(SDLK_SPACE);
+    designer.key(GetParam());
     designer.frames(3);
     EXPECT_EQ(solutionsOf(designer), "two, three, one, ");
     designer.key(SDLK_ESCAPE);
@@ -183,9 +190,53 @@ TEST(EditorOrder, ByKeyboardTheRingStaysWithWhatIsMoved) {
     designer.key(SDLK_F9);
     designer.frames(3);
     ringTo(designer, "tool 0 down");
-    designer.key(SDLK_SPACE);
+    designer.key(GetParam());
     designer.frames(3);
     EXPECT_EQ(toolsOf(designer), "wire, plank, steel ball, ");
+}
+
+TEST(EditorOrder, EnterTypesIntoANumberAndPressesWhatIsNone) {
+    Designer designer;
+    designer.editText(orderedLevel);
+    designer.key(SDLK_F7);
+    designer.frames(2);
+    designer.key(SDLK_F9);
+    designer.frames(3);
+    designer.key(SDLK_DOWN);
+    designer.frames(2);
+    designer.key(SDLK_DOWN); // below the name
+    designer.frames(2);
+    EXPECT_TRUE(designer.tree()["solutions"][0].contains("expect"));
+    designer.key(SDLK_RETURN);
+    designer.frames(3);
+    EXPECT_FALSE(designer.tree()["solutions"][0].contains("expect")) << "a box to tick";
+    ringTo(designer, "solution 0 frames");
+    auto const typeFrames = [&](std::string const& number) {
+        designer.key(SDLK_RETURN);
+        designer.frames(3);
+        EXPECT_TRUE(designer.app().context().gui.wantsKeyboard()) << "it types";
+        designer.key(SDLK_a, KMOD_LCTRL);
+        designer.typeText(number);
+        designer.key(SDLK_RETURN);
+        designer.frames(4);
+        EXPECT_FALSE(designer.app().context().gui.wantsKeyboard()) << "the Enter that ends it opens nothing";
+        EXPECT_TRUE(designer.parts().panelKeys);
+    };
+    typeFrames("75");
+    EXPECT_EQ(designer.tree()["solutions"][0]["frames"], 75);
+    typeFrames("0"); // as the tip says: as long as it takes
+    EXPECT_FALSE(designer.tree()["solutions"][0].contains("frames"));
+    typeFrames("99999999");
+    EXPECT_EQ(designer.tree()["solutions"][0]["frames"], limits::frames) << "the most that there may be";
+    EXPECT_EQ(designer.screen().test(), nullptr) << "the level is not played";
+    for (SDL_Keycode const key : {SDLK_DOWN, SDLK_LEFT, SDLK_LEFT}) {
+        designer.key(key);
+        designer.frames(2);
+    }
+    ASSERT_TRUE(ringIsOn(designer, "solution 0 watch"));
+    designer.key(SDLK_RETURN);
+    designer.frames(3);
+    EXPECT_NE(designer.screen().test(), nullptr) << "a button with words";
 }
 
 } // namespace
