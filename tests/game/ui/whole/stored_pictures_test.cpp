@@ -6,6 +6,8 @@
 #include "tests/game/ui/screen_walk.hpp"
 #include "tests/game/ui/stored_picture.hpp"
 
+#include <SDL_clipboard.h>
+
 #include <cstdlib>
 #include <set>
 
@@ -53,6 +55,7 @@ void compareWithStored(Player& player, std::string const& screen) {
 /// The screens of one part of the walk.
 void expectAsStored(void (*walk)(Player&, Look const&)) {
     Player player;
+    ASSERT_EQ(SDL_SetClipboardText(""), 0) << "or what another test has copied could be pasted";
     changeSettings(player.app().context(), {.reducedMotion = true, .language = "en"});
     walk(player, [&](std::string const& screen) {
         player.frames(45); // one picture of a level is drawn in each, and letters know their size
