@@ -3,6 +3,7 @@
 #include "puzzle/data/game_data.hpp"
 #include "puzzle/language/catalogue.hpp"
 #include "puzzle/language/german_names.hpp"
+#include "runtime/level/read/read_level.hpp"
 
 #include <gtest/gtest.h>
 
