@@ -1,6 +1,8 @@
 // What a level tells people is no part of its identity; what decides its runs is.
 #include "insight/report/level_report.hpp"
+#include "insight/report/report_text.hpp"
 #include "insight/trial/level_identity.hpp"
+#include "runtime/level/read/read_level.hpp"
 #include "runtime/placement.hpp"
 #include "tests/insight/support/on_threads.hpp"
 #include "tests/insight/support/tested_level.hpp"

@@ -3,8 +3,10 @@
 #include "puzzle/data/game_data.hpp"
 #include "puzzle/language/catalogue.hpp"
 #include "puzzle/language/german_names.hpp"
+#include "runtime/level/read/read_level.hpp"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cctype>
@@ -124,6 +126,33 @@ TEST(GermanParts, AreCalledInHintsAsInTheToolbox) {
         }
     }
     EXPECT_GT(compared, 60) << "hints name parts";
+}
+
+/// Adds what goals call their areas.
+void addCalled(nlohmann::json const& goals, std::set<std::string>& called) {
+    if (goals.is_object() && goals.contains("called")) {
+        called.insert(goals["called"].get<std::string>());
+    }
+    if (goals.is_structured()) {
+        for (nlohmann::json const& inner : goals) {
+            addCalled(inner, called);
+        }
+    }
+}
+
+TEST(GermanParts, AndTheAreasOfGoalsHaveNames) {
+    std::set<std::string> called;
+    for (fs::path const& file : toolboxWords().data.levels()) {
+        LevelFile const level = loadLevel(toolboxWords().data.registry, file);
+        addCalled(level.goals, called);
+        addCalled(level.task, called);
+    }
+    EXPECT_GT(called.size(), 5U);
+    std::string const article = "the ";
+    for (std::string const& area : called) {
+        ASSERT_TRUE(area.starts_with(article)) << area;
+        EXPECT_TRUE(toolboxWords().names.understands(area.substr(article.size()))) << area;
+    }
 }
 
 } // namespace
