@@ -90,8 +90,11 @@ TEST(SolutionText, IdentifiesWhatDecidesTheRun) {
     longer.frames = 900;
     EXPECT_NE(identityOf(longer), identityOf(solution));
     Solution changed = solution;
-    changed.changes.push_back(
-        {.frame = 5, .kind = RecordedChange::Kind::detail, .subject = "electricity", .level = "on and off"});
+    RecordedChange roughly;
+    roughly.frame = 5;
+    roughly.subject = "electricity";
+    roughly.level = "on and off";
+    changed.changes.push_back(roughly);
     EXPECT_NE(identityOf(changed), identityOf(solution));
     EXPECT_NE(identityOf(placing("spanner", {0.1, 0.2}, 0.1)), identityOf(solution));
 }
