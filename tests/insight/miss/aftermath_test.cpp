@@ -1,7 +1,7 @@
-#include "insight/miss/miss_meter.hpp"
+#include "insight/miss/aftermath.hpp"
 #include "runtime/level/json/json_document.hpp"
 #include "runtime/level/read/read_level.hpp"
-#include "tests/insight/support/tested_level.hpp"
+#include "tests/insight/support/explained_miss.hpp"
 
 #include <gtest/gtest.h>
 
@@ -27,21 +27,6 @@ std::string inside(double floor, std::string const& more = "") {
            "}";
 }
 
-Miss missIn(LevelFile const& level, std::uint64_t frames) {
-    LevelRuns const runs(testedData(), level);
-    std::unique_ptr<MissMeter> meter;
-    RunObserver observer;
-    observer.begin = [&](LevelRun const& run) {
-        meter = std::make_unique<MissMeter>(runs.level(), run.world(), MissMeter::For::explanation);
-    };
-    observer.frame = [&](LevelRun const& run) {
-        meter->look(run.world());
-        return true;
-    };
-    EXPECT_FALSE(runs.run({}, {.frames = frames}, observer).fault);
-    return meter->explained(0).nearest;
-}
-
 /// How far the ball has fallen by a frame, m.
 double fallen(std::uint64_t frame) {
     double const time = static_cast<double>(frame) * frameDuration;
@@ -49,7 +34,7 @@ double fallen(std::uint64_t frame) {
 }
 
 TEST(Aftermath, TellsHowFarWhatHeldWentAstrayInTheTimeForWhichItShouldHaveHeld) {
-    Miss const miss = missIn(fall(inside(0.5, R"(, "for": 1)")), 600);
+    Miss const miss = explainedMiss(fall(inside(0.5, R"(, "for": 1)")), 600);
     ASSERT_EQ(miss.lack, Lack::time);
     ASSERT_EQ(miss.besides.size(), 1U);
     Miss const& ended = miss.besides.front();
@@ -62,7 +47,8 @@ TEST(Aftermath, TellsHowFarWhatHeldWentAstrayInTheTimeForWhichItShouldHaveHeld) 
 }
 
 TEST(Aftermath, TellsThePartsInTheOrderInWhichTheyCeasedToHold) {
-    Miss const miss = missIn(fall(R"({"all": [)" + inside(0) + ", " + inside(0.5) + R"(], "for": 3})"), 600);
+    Miss const miss =
+        explainedMiss(fall(R"({"all": [)" + inside(0) + ", " + inside(0.5) + R"(], "for": 3})"), 600);
     ASSERT_EQ(miss.lack, Lack::time);
     ASSERT_EQ(miss.besides.size(), 2U);
     EXPECT_NEAR(miss.besides[0].to.y, 0.5, 1e-9);
@@ -70,7 +56,7 @@ TEST(Aftermath, TellsThePartsInTheOrderInWhichTheyCeasedToHold) {
 }
 
 TEST(Aftermath, WhatStillHoldsAtTheEndIsMissingTimeOnly) {
-    Miss const miss = missIn(fall(inside(0.5, R"(, "for": 1)")), 10);
+    Miss const miss = explainedMiss(fall(inside(0.5, R"(, "for": 1)")), 10);
     EXPECT_EQ(miss.lack, Lack::time);
     EXPECT_TRUE(miss.besides.empty());
 }
@@ -78,18 +64,7 @@ TEST(Aftermath, WhatStillHoldsAtTheEndIsMissingTimeOnly) {
 // Three boxes touch the raft at the same time for a frame, bounce, and slide off a second later.
 TEST(Aftermath, ABounceIsNotWhatEndedIt) {
     LevelFile const level = loadLevel(testedData().registry, testedFile("experiments/4-raft.json"));
-    LevelRuns const runs(testedData(), level);
-    std::unique_ptr<MissMeter> meter;
-    RunObserver observer;
-    observer.begin = [&](LevelRun const& run) {
-        meter = std::make_unique<MissMeter>(runs.level(), run.world(), MissMeter::For::explanation);
-    };
-    observer.frame = [&](LevelRun const& run) {
-        meter->look(run.world());
-        return true;
-    };
-    (void)runs.run({*level.findSolution("load the left end")}, {.frames = 1800}, observer);
-    Miss const miss = meter->explained(0).nearest;
+    Miss const miss = explainedMiss(level, 1800, {*level.findSolution("load the left end")});
     ASSERT_EQ(miss.lack, Lack::time);
     ASSERT_EQ(miss.besides.size(), 2U);
     EXPECT_EQ(miss.besides.front().lack, Lack::distance);

@@ -1,9 +1,9 @@
 // What a liquid lacks, against Archimedes' principle by hand.
-#include "insight/miss/miss_meter.hpp"
+#include "insight/miss/lift.hpp"
 #include "physics/depth.hpp"
 #include "runtime/level/json/json_document.hpp"
 #include "runtime/level/read/read_level.hpp"
-#include "tests/insight/support/tested_level.hpp"
+#include "tests/insight/support/explained_miss.hpp"
 
 #include <gtest/gtest.h>
 
@@ -33,18 +33,7 @@ LevelFile basin(double density, std::string const& more = "", std::string const&
 
 /// How nearly the goal was met in the first frame, explained.
 Miss missIn(LevelFile const& level, std::uint64_t frames = 1) {
-    LevelRuns const runs(testedData(), level);
-    std::unique_ptr<MissMeter> meter;
-    RunObserver observer;
-    observer.begin = [&](LevelRun const& run) {
-        meter = std::make_unique<MissMeter>(runs.level(), run.world(), MissMeter::For::explanation);
-    };
-    observer.frame = [&](LevelRun const& run) {
-        meter->look(run.world());
-        return true;
-    };
-    EXPECT_FALSE(runs.run({}, {.frames = frames}, observer).fault);
-    return meter->explained(0).nearest;
+    return explainedMiss(level, frames);
 }
 
 Miss const* lackIn(Miss const& miss, Lack lack) {

@@ -1,9 +1,8 @@
 // What is said of a miss, and that it says nothing false of what had held.
-#include "insight/miss/miss_meter.hpp"
 #include "insight/why/words.hpp"
 #include "runtime/level/json/json_document.hpp"
 #include "runtime/level/read/read_level.hpp"
-#include "tests/insight/support/tested_level.hpp"
+#include "tests/insight/support/explained_miss.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -51,18 +50,7 @@ TEST(Words, WhatHeldForAWhileNeverIsSaidNotToHave) {
                "properties": {"shape": [{"form": "circle", "radius": 0.1}], "density": 1000}}],
   "goals": {"not": {"inside": {"object": "ball", "area": [-5, -40, 10, 40.5]}}, "for": 1}})",
                                                                                  "fall.json"));
-    LevelRuns const runs(testedData(), level);
-    std::unique_ptr<MissMeter> meter;
-    RunObserver observer;
-    observer.begin = [&](LevelRun const& run) {
-        meter = std::make_unique<MissMeter>(runs.level(), run.world(), MissMeter::For::explanation);
-    };
-    observer.frame = [&](LevelRun const& run) {
-        meter->look(run.world());
-        return true;
-    };
-    ASSERT_FALSE(runs.run({}, {.frames = 120}, observer).fault);
-    Miss const miss = meter->explained(0).nearest;
+    Miss const miss = explainedMiss(level, 120);
     ASSERT_EQ(miss.lack, Lack::time);
     Sentences const english = sentencesOf(miss, Tongue());
     ASSERT_EQ(english.size(), 2U);

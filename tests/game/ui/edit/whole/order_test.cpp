@@ -163,6 +163,14 @@ TEST(EditorOrder, OfSolutionsByMouse) {
     EXPECT_EQ(designer.parts().document.text(), before);
 }
 
+/// Shows a page of the panel, with the ring of the keyboard in it.
+void pageByKeys(Designer& designer, SDL_Keycode page) {
+    designer.key(page);
+    designer.frames(2);
+    designer.key(SDLK_F9);
+    designer.frames(3);
+}
+
 /// By either key that presses: Enter is the one that the tip of the panel's command names.
 class EditorOrderByKey : public testing::TestWithParam<SDL_Keycode> {};
 
@@ -172,10 +180,7 @@ INSTANTIATE_TEST_SUITE_P(Keys, EditorOrderByKey, testing::Values(SDLK_SPACE, SDL
 TEST_P(EditorOrderByKey, TheRingStaysWithWhatIsMoved) {
     Designer designer;
     designer.editText(orderedLevel);
-    designer.key(SDLK_F7);
-    designer.frames(2);
-    designer.key(SDLK_F9);
-    designer.frames(3);
+    pageByKeys(designer, SDLK_F7);
     ringTo(designer, "solution 0 down");
     designer.key(GetParam());
     designer.frames(3);
@@ -185,10 +190,7 @@ TEST_P(EditorOrderByKey, TheRingStaysWithWhatIsMoved) {
     designer.frames(3);
     EXPECT_EQ(solutionsOf(designer), "two, three, one, ");
     designer.key(SDLK_ESCAPE);
-    designer.key(SDLK_F6);
-    designer.frames(2);
-    designer.key(SDLK_F9);
-    designer.frames(3);
+    pageByKeys(designer, SDLK_F6);
     ringTo(designer, "tool 0 down");
     designer.key(GetParam());
     designer.frames(3);
@@ -198,10 +200,7 @@ TEST_P(EditorOrderByKey, TheRingStaysWithWhatIsMoved) {
 TEST(EditorOrder, EnterTypesIntoANumberAndPressesWhatIsNone) {
     Designer designer;
     designer.editText(orderedLevel);
-    designer.key(SDLK_F7);
-    designer.frames(2);
-    designer.key(SDLK_F9);
-    designer.frames(3);
+    pageByKeys(designer, SDLK_F7);
     designer.key(SDLK_DOWN);
     designer.frames(2);
     designer.key(SDLK_DOWN); // below the name
