@@ -106,30 +106,18 @@ void ring(ModalScratch::Group* groups, Lanes* sums, int from, int to) {
     });
 }
 
-void driveAll(std::vector<ModalScratch::Group>& groups, float const* noise, Lanes* sums, int from, int to) {
+// Calls compute<count>(first) for four groups at a time, and for two and one of the rest.
+template <class Compute>
+void forGroups(std::vector<ModalScratch::Group>& groups, Compute const& compute) {
     std::size_t at = 0;
     for (; at + 4 <= groups.size(); at += 4) {
-        drive<4>(&groups[at], noise, sums, from, to);
+        compute.template operator()<4>(&groups[at]);
     }
     for (; at + 2 <= groups.size(); at += 2) {
-        drive<2>(&groups[at], noise, sums, from, to);
+        compute.template operator()<2>(&groups[at]);
     }
     for (; at < groups.size(); ++at) {
-        drive<1>(&groups[at], noise, sums, from, to);
-    }
-}
-
-// Four rotations at a time use the processor's registers.
-void ringAll(std::vector<ModalScratch::Group>& groups, Lanes* sums, int from, int to) {
-    std::size_t at = 0;
-    for (; at + 4 <= groups.size(); at += 4) {
-        ring<4, 1>(&groups[at], sums, from, to);
-    }
-    for (; at + 2 <= groups.size(); at += 2) {
-        ring<2, 2>(&groups[at], sums, from, to);
-    }
-    for (; at < groups.size(); ++at) {
-        ring<1, 4>(&groups[at], sums, from, to);
+        compute.template operator()<1>(&groups[at]);
     }
 }
 
@@ -287,9 +275,14 @@ std::size_t ModalBank::render(std::span<float> out, std::span<std::uint8_t const
         int at = 0;
         auto const runTo = [&](int to) {
             if (driven_) {
-                driveAll(groups, noise.data(), sums.data(), at, to);
+                forGroups(groups, [&]<int count>(ModalScratch::Group* first) {
+                    drive<count>(first, noise.data(), sums.data(), at, to);
+                });
             } else {
-                ringAll(groups, sums.data(), at, to);
+                forGroups(groups, [&]<int count>(ModalScratch::Group* first) {
+                    // Four rotations at a time use the processor's registers.
+                    ring<count, 4 / count>(first, sums.data(), at, to);
+                });
             }
             at = to;
         };
