@@ -80,9 +80,7 @@ void TitleScreen::drawButtons() {
         if (drawButton(label, "play", Icon::Play, ButtonLook::Primary, -1)) {
             ask(request::OpenLevel{next->file});
         }
-        ImGui::PushFont(theme().fonts.small);
-        caption(titleIn(next->texts, std::string(languageInUse()), next->title).c_str());
-        ImGui::PopFont();
+        smallCaption(titleIn(next->texts, std::string(languageInUse()), next->title).c_str());
     }
     float const half = (ImGui::GetContentRegionAvail().x - scaled(8)) / 2 / theme().scale;
     bool left = true;

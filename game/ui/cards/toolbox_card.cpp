@@ -137,9 +137,7 @@ std::optional<std::string> drawToolbox(CommandButtons& buttons, Session const& s
             "wire",
             {.label = label.c_str(), .look = laying ? ButtonLook::Primary : ButtonLook::Quiet, .width = -1});
     }
-    ImGui::PushFont(theme().fonts.small);
-    caption(carrying ? words::dropHere : hint.c_str());
-    ImGui::PopFont();
+    smallCaption(carrying ? words::dropHere : hint.c_str());
     drawAllBack(buttons, allBack);
     if (carrying) {
         drawWhereToDrop();

@@ -83,9 +83,7 @@ CommandsPage::Choice CommandsPage::draw(UiContext& context, CommandSet const& co
     Choice choice;
     Layout& layout = context.layout;
     layout.beginCard("all commands", text("menu.commands"), {.anchor = Anchor::Middle, .width = 560});
-    ImGui::PushFont(theme().fonts.small);
-    caption(text("commands.hint"));
-    ImGui::PopFont();
+    smallCaption(text("commands.hint"));
     float const screen = ImGui::GetIO().DisplaySize.y / theme().scale;
     ImGui::PushStyleColor(ImGuiCol_ChildBg, ImVec4(0, 0, 0, 0));
     ImGui::BeginChild("commands", {0, scaled(std::clamp(screen - 260, 160.F, 560.F))});

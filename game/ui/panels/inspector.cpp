@@ -16,9 +16,7 @@ using namespace render;
 constexpr float cardWidth = 324;
 
 void smallText(std::string const& text) {
-    ImGui::PushFont(theme().fonts.small);
-    caption(text.c_str());
-    ImGui::PopFont();
+    smallCaption(text.c_str());
 }
 
 void drawRow(InspectorRow const& row) {

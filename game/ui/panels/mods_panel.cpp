@@ -20,9 +20,7 @@ constexpr float modsWidth = 500;
 constexpr float usageNumbers = 150; // width of the numbers behind a bar
 
 void smallLines(std::string const& text) {
-    ImGui::PushFont(theme().fonts.small);
-    caption(text.c_str());
-    ImGui::PopFont();
+    smallCaption(text.c_str());
 }
 
 /// `framed`: in one line with a drop-down.

@@ -156,9 +156,7 @@ std::optional<fs::path> FileBrowser::draw(UiContext& context) {
     bool const saving = purpose_ == Purpose::saveAs;
     context.layout.beginCard("file browser", saving ? words::saveAsTitle : words::openTitle,
                              {.anchor = Anchor::Middle, .width = browserWidth});
-    ImGui::PushFont(theme().fonts.small);
-    caption(folder_.string().c_str());
-    ImGui::PopFont();
+    smallCaption(folder_.string().c_str());
     drawEntries(context, chosen);
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(words::fileName);

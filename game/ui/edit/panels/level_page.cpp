@@ -226,9 +226,7 @@ void drawMods(EditParts& parts) {
     if (changed) {
         parts.run([&](Json const& level) { return edit::setMods(level, mods); });
     }
-    ImGui::PushFont(theme().fonts.small);
-    caption(words::modsTip);
-    ImGui::PopFont();
+    smallCaption(words::modsTip);
 }
 
 } // namespace

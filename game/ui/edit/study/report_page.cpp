@@ -25,9 +25,7 @@ void drawShortcoming(words::ShownShortcoming const& one) {
                          imColour(palette::warning));
     ImGui::Indent(scaled(18));
     ImGui::TextWrapped("%s", one.what.c_str());
-    ImGui::PushFont(theme().fonts.small);
-    caption(one.help);
-    ImGui::PopFont();
+    smallCaption(one.help);
     ImGui::Unindent(scaled(18));
 }
 

@@ -73,9 +73,7 @@ void drawMaps(EditParts& parts, SolutionReport const& solution) {
         ImGui::PopFont();
         ImGui::PopID();
     }
-    ImGui::PushFont(theme().fonts.small);
-    caption(words::mapCaption);
-    ImGui::PopFont();
+    smallCaption(words::mapCaption);
 }
 
 void drawDetails(EditParts& parts, LevelReport const& report, SolutionReport const& solution) {

@@ -214,9 +214,7 @@ void drawWhatIfCard(CommandButtons& buttons, Session const& session, WhatIfView&
     ImGui::PopStyleColor();
     drawComputing(layout, view);
     if (std::string const words = outcome(view); !words.empty()) {
-        ImGui::PushFont(theme().fonts.small);
-        caption(words.c_str());
-        ImGui::PopFont();
+        smallCaption(words.c_str());
     }
     if (!view.atMoment()) {
         if (bigButton(text("To its moment"), {.width = 128})) {
