@@ -2,15 +2,14 @@
 
 #include "insight/run/level_runs.hpp"
 #include "insight/trial/solution_text.hpp"
+#include "insight/trial/text_hash.hpp"
 #include "insight/trial/trial.hpp"
 #include "physics/dynamics/properties/settings.hpp"
-#include "puzzle/run/run_report.hpp"
 #include "runtime/level/json/diagnostic.hpp"
 #include "runtime/level/model/detail_levels.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-#include <xxhash.h>
 
 #include <algorithm>
 #include <map>
@@ -90,7 +89,7 @@ std::string everythingRecorded(LevelFile const& level) {
     for (Solution const& solution : level.solutions) {
         text += nlohmann::json{solution.name, identityOf(solution), solution.solves}.dump();
     }
-    return hashText(XXH3_64bits(text.data(), text.size()));
+    return hashOf(text);
 }
 
 } // namespace

@@ -32,8 +32,9 @@ constexpr double steepest = 0.5;    // the cosine of the slope on which somethin
 
 /// A force in a world with its place.
 struct ActingForce {
-    Vec2 force; ///< N
-    Vec2 at;    ///< m
+    Vec2 force;        ///< N
+    Vec2 at;           ///< m
+    ObjectId liquid{}; ///< whose force it is; invalid: gravity's
 };
 
 struct Body {
@@ -201,9 +202,8 @@ public:
                                 liquidPieces(inOrder(*shape), pose)});
         }
     }
-    /// The forces on a body that is moved by `by`; `most` becomes the liquid with the greatest one.
-    [[nodiscard]] std::vector<ActingForce> on(Body const& body, Vec2 by, ObjectId& most,
-                                              double& greatest) const {
+    /// The forces on a body that is moved by `by`.
+    [[nodiscard]] std::vector<ActingForce> on(Body const& body, Vec2 by) const {
         std::vector<ActingForce> forces;
         ExactHull const hull(*body.shape);
         Pose pose = body.pose;
@@ -218,11 +218,7 @@ public:
             if (strength <= 0) {
                 continue;
             }
-            forces.push_back({strength * liquid.up, pose.toWorld(sum.wet.centroid())});
-            if (strength > greatest) {
-                greatest = strength;
-                most = liquid.id;
-            }
+            forces.push_back({strength * liquid.up, pose.toWorld(sum.wet.centroid()), liquid.id});
         }
         return forces;
     }
@@ -323,12 +319,14 @@ bool LiftTeller::addOf(Miss& miss, ObjectId mover, Vec2 way) {
     Sum righted; // where it is
     Sum load;
     for (Body const& body : group.bodies) {
-        ObjectId here;
-        double strongest = 0;
-        for (ActingForce const& force : liquids.on(body, rise * up, most, greatest)) {
+        for (ActingForce const& force : liquids.on(body, rise * up)) {
             lift.add(force, up, about);
+            if (length(force.force) > greatest) {
+                greatest = length(force.force);
+                most = force.liquid;
+            }
         }
-        for (ActingForce const& force : liquids.on(body, {}, here, strongest)) {
+        for (ActingForce const& force : liquids.on(body, {})) {
             righted.add(force, up, about);
         }
     }
@@ -344,10 +342,8 @@ bool LiftTeller::addOf(Miss& miss, ObjectId mover, Vec2 way) {
     }
     for (Body const& body : carried) {
         other.objects.push_back(body.id);
-        ObjectId here;
-        double strongest = 0;
         load.add({body.weight, body.centre}, up, about);
-        for (ActingForce const& force : liquids.on(body, {}, here, strongest)) {
+        for (ActingForce const& force : liquids.on(body, {})) {
             load.add(force, up, about);
         }
     }

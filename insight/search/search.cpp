@@ -3,13 +3,12 @@
 #include "insight/search/mutation.hpp"
 #include "insight/search/random_placement.hpp"
 #include "insight/trial/solution_text.hpp"
+#include "insight/trial/text_hash.hpp"
 #include "insight/trial/trial.hpp"
-#include "puzzle/run/run_report.hpp"
 #include "runtime/level/json/diagnostic.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-#include <xxhash.h>
 
 #include <algorithm>
 #include <map>
@@ -83,11 +82,10 @@ public:
             for (Parent const& parent : parents) {
                 text += identityOf(parent.solution);
             }
-            tryGeneration("mutation/" + hashText(XXH3_64bits(text.data(), text.size())),
-                          [&](CounterRandom& random) {
-                              return random.chance(byChance) ? randomSolution(level_, random)
-                                                             : mutator_.changed(parents, random);
-                          });
+            tryGeneration("mutation/" + hashOf(text), [&](CounterRandom& random) {
+                return random.chance(byChance) ? randomSolution(level_, random)
+                                               : mutator_.changed(parents, random);
+            });
         }
         return std::move(result_);
     }

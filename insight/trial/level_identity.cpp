@@ -1,10 +1,9 @@
 #include "insight/trial/level_identity.hpp"
 
-#include "puzzle/run/run_report.hpp"
+#include "insight/trial/text_hash.hpp"
 #include "runtime/level/write/write_level.hpp"
 
 #include <nlohmann/json.hpp>
-#include <xxhash.h>
 
 namespace trembler::insight {
 namespace {
@@ -35,7 +34,7 @@ std::string identityOf(LevelFile const& level) {
     removeTexts(bare.goals);
     removeTexts(bare.task);
     std::string const text = levelText(bare);
-    return hashText(XXH3_64bits(text.data(), text.size()));
+    return hashOf(text);
 }
 
 } // namespace trembler::insight

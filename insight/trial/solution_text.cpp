@@ -1,11 +1,10 @@
 #include "insight/trial/solution_text.hpp"
 
-#include "puzzle/run/run_report.hpp"
+#include "insight/trial/text_hash.hpp"
 #include "runtime/level/build/placing.hpp"
 #include "runtime/level/write/write_level.hpp"
 
 #include <nlohmann/json.hpp>
-#include <xxhash.h>
 
 namespace trembler::insight {
 
@@ -59,7 +58,7 @@ std::string identityOf(Solution const& solution) {
     rest.changes = solution.changes;
     rest.frames = solution.frames;
     std::string const text = toText(solution) + writeSolution(rest).dump();
-    return hashText(XXH3_64bits(text.data(), text.size()));
+    return hashOf(text);
 }
 
 } // namespace trembler::insight
