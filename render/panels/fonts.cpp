@@ -28,9 +28,10 @@ constexpr std::array families{
 };
 constexpr auto const& signs = families[1];
 
+// From the thin space, which stands between groups of digits.
 // ImGui keeps these pointers until the atlas is built, hence static storage.
-constexpr std::array<ImWchar, 7> latin{0x0020, 0x017F, 0x2010, 0x2026, 0x20AC, 0x20AC, 0};
-constexpr std::array<ImWchar, 11> text{0x0020, 0x017F, 0x0370, 0x03FF, 0x2010, 0x203A,
+constexpr std::array<ImWchar, 7> latin{0x0020, 0x017F, 0x2009, 0x2026, 0x20AC, 0x20AC, 0};
+constexpr std::array<ImWchar, 11> text{0x0020, 0x017F, 0x0370, 0x03FF, 0x2009, 0x203A,
                                        0x2070, 0x209C, 0x20AC, 0x20AC, 0};
 /// Arrows, mathematics, keys, geometric shapes, ticks and crosses.
 constexpr std::array<ImWchar, 11> symbols{0x2190, 0x21FF, 0x2200, 0x22FF, 0x2300, 0x23FF,

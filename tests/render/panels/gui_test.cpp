@@ -77,6 +77,15 @@ TEST_F(Panels, TextOfBothSizesHasTheArrowKeys) {
     }
 }
 
+TEST_F(Panels, TextOfBothSizesHasTheSpaceBetweenGroupsOfDigits) {
+    if (theme().fonts.builtIn) {
+        GTEST_SKIP() << "no font is installed";
+    }
+    for (ImFont const* const font : {theme().fonts.body, theme().fonts.small}) {
+        EXPECT_NE(font->FindGlyphNoFallback(0x2009), nullptr);
+    }
+}
+
 TEST_F(Panels, ADroppedFrameDrawsNothingButHandlesInput) {
     Bench bench;
     int clicks = 0;
