@@ -128,6 +128,12 @@ std::string otherWayText(std::optional<Said> const& object, Extreme extreme, std
            when;
 }
 
+/// Whether it only tells that something was not so at its moment: one of several conditions, or what stood in
+/// the way besides, may have been so at another moment.
+bool isOfItsMoment(Miss const& miss) {
+    return miss.lack == Lack::change || miss.lack == Lack::steps;
+}
+
 /// What one miss says, with its moment.
 std::string sentenceOf(Miss const& miss, Extreme extreme, std::string const& when, Tongue const& tongue) {
     std::vector<std::string> const& names = miss.names;
@@ -212,7 +218,8 @@ void addSentences(Miss const& miss, Extreme extreme, std::uint64_t told, Tongue 
                   std::vector<std::string>& sentences) {
     bool const later = miss.frame != 0 && miss.frame != told;
     std::string const when = later ? tongue.fill(", at {} s", {secondsOf(miss.frame, tongue)}) : "";
-    Extreme const here = later ? Extreme::farthest : extreme;
+    Extreme const now = isOfItsMoment(miss) ? Extreme::none : extreme;
+    Extreme const here = later ? Extreme::farthest : now;
     sentences.push_back(capitalised(sentenceOf(miss, here, when, tongue)) + ".");
     for (Miss const& other : miss.besides) {
         Extreme const there = here == Extreme::nearest ? here : Extreme::none;
@@ -224,7 +231,9 @@ void addSentences(Miss const& miss, Extreme extreme, std::uint64_t told, Tongue 
 
 std::vector<std::string> sentencesOf(Miss const& miss, Tongue const& tongue) {
     std::string const when = tongue.fill(", at {} s", {secondsOf(miss.frame, tongue)});
-    std::vector<std::string> sentences{capitalised(sentenceOf(miss, Extreme::nearest, when, tongue)) + "."};
+    bool const oneOfSeveral = miss.child != Miss::noChild;
+    Extreme const extreme = oneOfSeveral && isOfItsMoment(miss) ? Extreme::none : Extreme::nearest;
+    std::vector<std::string> sentences{capitalised(sentenceOf(miss, extreme, when, tongue)) + "."};
     for (Miss const& other : miss.besides) {
         addSentences(other, Extreme::nearest, miss.frame, tongue, sentences);
     }

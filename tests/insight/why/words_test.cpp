@@ -64,6 +64,18 @@ TEST(Words, WhatNeverHeldIsSaidNotToHave) {
               Sentences{"The ball never was as it should be."});
 }
 
+// One of several conditions that must hold at once may have held at another moment, and so may what stood in
+// the way besides.
+TEST(Words, WhatDidNotHoldAtOneMomentIsNotSaidNeverToHave) {
+    Miss part = lacking(Lack::change, 1, 60, {"ball"});
+    part.child = 1;
+    EXPECT_EQ(sentencesOf(part, Tongue()), Sentences{"The ball was not as it should be, at 1.0 s."});
+    Miss near = lacking(Lack::distance, 0.5, 60, {"ball", "floor"});
+    near.besides = {lacking(Lack::change, 1, 0, {"magnet"})};
+    EXPECT_EQ(sentencesOf(near, Tongue()), (Sentences{"The ball came within 50 cm of the floor, at 1.0 s.",
+                                                      "The magnet was not as it should be."}));
+}
+
 TEST(Words, OfWhatHeldTellHowFarItWentAndWhen) {
     EXPECT_EQ(endOf(lacking(Lack::change, 1, 90, {"ball"})),
               Sentences{"The ball ceased to be as it should be, at 1.5 s."});
