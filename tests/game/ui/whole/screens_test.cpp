@@ -243,6 +243,21 @@ TEST(AtRest, NothingIsDrawnOnAnyScreen) {
     expectRest("the menu");
     player.clickItem("menu.settings");
     expectRest("the settings");
+    player.open(std::filesystem::path(TREMBLER_SOURCE_DIR) / "mods/wind/levels/1-a-fair-wind.json");
+    expectRest("a level with a mod");
+    player.key(SDLK_m);
+    expectRest("the panel of mods");
+    player.open(levelsFolder() / "first/2-into-the-basket.json");
+    player.key(SDLK_b);
+    player.frames(60); // in these and those of expectRest() the message about it goes
+    expectRest("a level with a time budget");
+    auto const toasts = player.app().context().toasts.count();
+    player.key(SDLK_PERIOD);
+    EXPECT_EQ(player.app().context().toasts.count(), toasts + 1) << "the new budget is told at once";
+    EXPECT_FALSE(player.app().resting());
+    player.key(SDLK_c);
+    player.frames(60);
+    expectRest("the panel of components, with a time budget");
     player.app().edit({});
     expectRest("the editor");
     player.key(SDLK_p, KMOD_LCTRL); // with a cursor in a field
