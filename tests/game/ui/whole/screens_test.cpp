@@ -331,5 +331,30 @@ TEST(Stars, AnotherKindOfSolutionHasOne) {
     EXPECT_TRUE(player.showsCard("ending"));
 }
 
+TEST(Stars, AThirdOfOneLevelIsNotTheSecondOfAnother) {
+    LevelCatalog const& levels = gameLevels();
+    CampaignProgress progress;
+    int puzzles = 0;
+    int galleries = 0;
+    for (CatalogGroup const& chapter : levels.groups()) {
+        for (CatalogEntry const& entry : chapter.levels) {
+            // Of the first puzzle three kinds are found, of the second one, and two of every other.
+            int const kinds = chapter.gallery ? 3 : puzzles == 0 ? 3 : puzzles == 1 ? 1 : 2;
+            (chapter.gallery ? galleries : puzzles) += 1;
+            progress.markSolved(entry.id);
+            for (int kind = 0; kind < kinds; ++kind) {
+                progress.addKind(entry.id, {{std::string(1, static_cast<char>('a' + kind))}, {}, {}});
+            }
+        }
+    }
+    ASSERT_GT(puzzles, 2);
+    ASSERT_GT(galleries, 0);
+    StarCount const stars = levels.stars(progress);
+    EXPECT_EQ(stars.won, 2 * puzzles);
+    EXPECT_EQ(stars.missing, 1) << "the second star of the second puzzle";
+    EXPECT_EQ(levels.stars({}).missing, 2 * puzzles);
+    EXPECT_EQ(levels.stars({}).won, 0);
+}
+
 } // namespace
 } // namespace trembler::ui::test
