@@ -1,5 +1,6 @@
-// What the window costs the processor: for each level a frame of its simulation and a picture of it, with its
-// first recorded solution; the start up to the title screen; and a window at rest.
+// What the window costs the processor: for each level, those of the mods that come with the program included,
+// a frame of its simulation and a picture of it, with its first recorded solution; the start up to the title
+// screen; and a window at rest.
 //
 //     bench_window [LEVEL...] [--runs N] [--rest SECONDS] [--markdown]
 //
@@ -8,6 +9,8 @@
 // the page docs/measurements/window.md.
 #include "audio/effect/properties/sounds.hpp"
 #include "bench/window/clocks.hpp"
+#include "game/app/mods/mods.hpp"
+#include "game/app/options/level_paths.hpp"
 #include "game/ui/app/game_loop.hpp"
 #include "game/ui/play/play_screen.hpp"
 #include "lua/mods/mod.hpp"
@@ -37,7 +40,7 @@ constexpr std::size_t framesOfLevel = 600; // at most
 constexpr std::size_t drawnEvery = 4;      // frames
 
 struct Arguments {
-    std::vector<fs::path> levels;
+    std::vector<std::string> levels;
     int runs = 3;
     double rest = 3; // s
     bool markdown = false;
@@ -57,7 +60,15 @@ struct RestCost {
 };
 
 ui::GameOptions optionsOf(GameData const& data) {
-    return {.levels = data.home / "levels", .profile = {}, .world = {}, .steady = true};
+    return {.levels = data.home / "levels",
+            .profile = {},
+            .world = {},
+            .steady = true,
+            .levelData = [](fs::path const& level) {
+                return lua::modsNamedBy(level).empty()
+                           ? nullptr
+                           : std::shared_ptr<GameData const>(gameDataFor(level, {}));
+            }};
 }
 
 std::size_t framesOf(LevelFile const& level) {
@@ -122,14 +133,12 @@ std::vector<LevelCost> measureLevels(GameData const& data, Arguments const& argu
     WithoutCard const withoutCard;
     ui::GameApp app(window, data.registry, data.parts, optionsOf(data));
     std::vector<LevelCost> all;
-    for (fs::path const& file : arguments.levels.empty() ? data.levels() : arguments.levels) {
-        if (!lua::modsNamedBy(file).empty()) {
-            continue;
-        }
+    for (fs::path const& file : levelsNamed(data, arguments.levels)) {
         LevelCost cost{fs::path(data.shortName(file)).replace_extension().string(), {}, {}};
-        LevelFile const level = loadLevel(data.registry, file);
+        auto const own = gameDataFor(file, {}); // with the mods that the level names
+        LevelFile const level = loadLevel(own->registry, file);
         for (int run = 0; run < arguments.runs; ++run) {
-            simulate(data, level, cost);
+            simulate(*own, level, cost);
             draw(app, file, cost);
         }
         std::fprintf(stderr, "%-48s frame %6.3f %6.3f ms, picture %6.3f %6.3f ms\n", cost.level.c_str(),
@@ -176,15 +185,20 @@ double timeToTitle(int runs) {
     return least;
 }
 
+/// What is done in a level before its window is left alone.
+enum class Before : std::uint8_t { nothing, openMenu, setBudget };
+
 RestCost measureRest(std::string where, GameData const& data, double seconds, fs::path const& level,
-                     bool menu) {
+                     Before before) {
     render::Window window({.size = {1280, 720}, .mode = render::WindowMode::Offscreen});
     ui::GameApp app(window, data.registry, data.parts, optionsOf(data));
     if (!level.empty()) {
         app.open(level);
     }
-    if (menu) {
+    if (before == Before::openMenu) {
         app.openMenu(ui::MenuPage::main);
+    } else if (before == Before::setBudget) {
+        dynamic_cast<ui::PlayScreen&>(app.screen()).commands().run("budget");
     }
     for (int i = 0; i < 1000 && !app.resting(); ++i) { // what moves at first ends
         app.frame(0.1, false);
@@ -266,12 +280,15 @@ int main(int argc, char** argv) {
     }
     GameData const data;
     fs::path const level = data.home / "levels/first/1-first-contact.json";
+    fs::path const withMod = data.home / "mods/wind/levels/1-a-fair-wind.json";
     std::vector<LevelCost> const levels = measureLevels(data, arguments);
     double const title = timeToTitle(arguments.runs);
     std::vector<RestCost> const rests{
-        measureRest("the title", data, arguments.rest, {}, false),
-        measureRest("a level", data, arguments.rest, level, false),
-        measureRest("the menu over a level", data, arguments.rest, level, true)};
+        measureRest("the title", data, arguments.rest, {}, Before::nothing),
+        measureRest("a level", data, arguments.rest, level, Before::nothing),
+        measureRest("a level with a mod", data, arguments.rest, withMod, Before::nothing),
+        measureRest("a level with a time budget", data, arguments.rest, level, Before::setBudget),
+        measureRest("the menu over a level", data, arguments.rest, level, Before::openMenu)};
     if (arguments.markdown) {
         std::fputs(heading, stdout);
     }

@@ -104,14 +104,17 @@ private:
         }
     }
 
-    /// What the file states at a place.
+    /// What the file states at a place in its goals or its task.
     [[nodiscard]] nlohmann::json statement(std::string const& path) const {
         constexpr std::string_view goals = "/goals";
-        if (!path.starts_with(goals)) {
+        constexpr std::string_view task = "/task";
+        bool const inGoals = path.starts_with(goals);
+        if (!inGoals && !path.starts_with(task)) {
             return {};
         }
-        nlohmann::json::json_pointer const at(path.substr(goals.size()));
-        return level_.goals.contains(at) ? level_.goals.at(at) : nlohmann::json();
+        nlohmann::json const& tree = inGoals ? level_.goals : level_.task;
+        nlohmann::json::json_pointer const at(path.substr((inGoals ? goals : task).size()));
+        return tree.contains(at) ? tree.at(at) : nlohmann::json();
     }
 
     void complain(std::string path, std::string message, std::string expected) {
@@ -132,10 +135,14 @@ private:
 
 void complainAboutHopeless(GameData const& data, LevelFile const& level, World const& world,
                            Problems& problems) {
-    Problems ignored; // the goals have been read before
-    auto const goals = readGoals(level, ignored);
-    if (goals && level.mods.empty()) { // a mod's scripts may do anything
-        HopelessCheck(data, level, world, problems).check(*goals);
+    if (!level.mods.empty()) { // a mod's scripts may do anything
+        return;
+    }
+    Problems ignored; // goals and task have been read before
+    for (auto const& condition : {readGoals(level, ignored), readTask(level, ignored)}) {
+        if (condition) {
+            HopelessCheck(data, level, world, problems).check(*condition);
+        }
     }
 }
 

@@ -1,12 +1,25 @@
 #include "puzzle/checks/level_checks.hpp"
 
 #include "puzzle/goals/goal_judge.hpp"
+#include "puzzle/goals/read_goals.hpp"
 #include "runtime/level/build/build_world.hpp"
 #include "runtime/level/read/read_level.hpp"
 
 #include <exception>
 
 namespace trembler {
+namespace {
+
+void complainAboutLacking(LevelFile const& level, std::vector<Diagnostic>& lacking) {
+    if (level.goals.is_null()) {
+        lacking.push_back(level.diagnostic("/goals", "it has no goals", ""));
+    }
+    if (level.solutions.empty()) {
+        lacking.push_back(level.diagnostic("/solutions", "no solution is recorded", ""));
+    }
+}
+
+} // namespace
 
 LevelCheckup checkWholeLevel(GameData const& data, std::shared_ptr<JsonDocument const> const& document,
                              std::map<std::string, std::string> const& detail) {
@@ -14,11 +27,13 @@ LevelCheckup checkWholeLevel(GameData const& data, std::shared_ptr<JsonDocument 
     try {
         LevelFile level = readLevel(data.registry, document);
         checkup.read = true;
+        complainAboutLacking(level, checkup.lacking);
         for (auto const& [effect, name] : detail) {
             level.detail[effect] = name;
         }
         BuiltLevel const built = buildLevel(data.registry, level, data.parts);
-        GoalJudge const judge(level, *built.world);
+        GoalJudge const goals(level, *built.world);
+        GoalJudge const task(level, *built.world, readTask(level));
         checkup.playable = true;
         Problems problems;
         complainAboutReach(data, level, *built.world, problems);

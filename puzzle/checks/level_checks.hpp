@@ -15,14 +15,16 @@ namespace trembler {
 /// What is wrong with a level, and how far it could be made.
 struct LevelCheckup {
     /// In the order of the places in the files, at most Problems::most; empty if nothing is wrong.
-    std::vector<Diagnostic> problems;
+    std::vector<Diagnostic> problems{};
+    /// What a finished level has and this one does not yet have: goals, solutions. It is playable without.
+    std::vector<Diagnostic> lacking{};
     bool read = false;     ///< the file states a level
     bool playable = false; ///< and its world can be built and its goals judged: a session can be made of it
 };
 
 /// Reads the level, builds its world, sets up its goals, and if all that is possible, looks for what makes it
-/// useless: things out of bounds, a toolbox out of reach, and goals that can never come true. Throws nothing
-/// but for lack of memory. `detail` overrides the detail levels that the level states.
+/// useless: things out of bounds, a toolbox out of reach, and goals or a task that can never come true.
+/// Throws nothing but for lack of memory. `detail` overrides the detail levels that the level states.
 [[nodiscard]] LevelCheckup checkWholeLevel(GameData const& data,
                                            std::shared_ptr<JsonDocument const> const& document,
                                            std::map<std::string, std::string> const& detail = {});
@@ -33,11 +35,11 @@ struct LevelCheckup {
 /// have room. The world is that of the level, before its first frame.
 void complainAboutReach(GameData const& data, LevelFile const& level, World const& world, Problems& problems);
 
-/// Complains about goals that can never come true, beyond those of which GoalJudge complains because of the
-/// objects that they name: current where there is no source of it, fixed things that are to touch one
-/// another, something without a body that is to move, and a goal together with its opposite. Nothing is said
-/// about levels with mods, whose scripts may change everything. The world is that of the level, before its
-/// first frame.
+/// Complains about goals, and a task, that can never come true, beyond those of which GoalJudge complains
+/// because of the objects that they name: current where there is no source of it, fixed things that are to
+/// touch one another, something without a body that is to move, and a goal together with its opposite.
+/// Nothing is said about levels with mods, whose scripts may change everything. The world is that of the
+/// level, before its first frame.
 void complainAboutHopeless(GameData const& data, LevelFile const& level, World const& world,
                            Problems& problems);
 

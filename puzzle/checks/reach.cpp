@@ -79,9 +79,11 @@ public:
                          "an area within \"bounds\"");
             }
         }
-        Problems ignored; // the goals have been read before
-        if (auto const goals = readGoals(level_, ignored)) {
-            checkGoal(*goals, bounds);
+        Problems ignored; // goals and task have been read before
+        for (auto const& condition : {readGoals(level_, ignored), readTask(level_, ignored)}) {
+            if (condition) {
+                checkGoal(*condition, bounds);
+            }
         }
     }
 

@@ -21,7 +21,10 @@ void makeUnique(std::vector<T>& list) {
 } // namespace
 
 GoalJudge::GoalJudge(LevelFile const& level, World const& world)
-    : condition_(readGoals(level)), ticks_(world.ticks()) {
+    : GoalJudge(level, world, readGoals(level)) {}
+
+GoalJudge::GoalJudge(LevelFile const& level, World const& world, std::optional<Condition> condition)
+    : condition_(std::move(condition)), ticks_(world.ticks()) {
     if (!condition_) {
         return;
     }

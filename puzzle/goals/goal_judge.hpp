@@ -25,6 +25,8 @@ public:
     /// frame. Throws InputError if the goals are wrong or can never be met, for example if a wooden object
     /// must be on, or an object without a shape must touch another.
     GoalJudge(LevelFile const& level, World const& world);
+    /// The same for a condition of the level that is not under "goals", such as a demonstration's task.
+    GoalJudge(LevelFile const& level, World const& world, std::optional<Condition> condition);
     ~GoalJudge();
     GoalJudge(GoalJudge const&) = delete;
     GoalJudge& operator=(GoalJudge const&) = delete;

@@ -1,4 +1,4 @@
-// Reads a level's "goals".
+// Reads a level's "goals" and "task".
 #pragma once
 
 #include "puzzle/goals/model/condition.hpp"
@@ -12,5 +12,9 @@ namespace trembler {
 [[nodiscard]] std::optional<Condition> readGoals(LevelFile const& level, Problems& problems);
 /// The same, but throws InputError if anything is wrong.
 [[nodiscard]] std::optional<Condition> readGoals(LevelFile const& level);
+
+/// The same of the condition under "task", which only a demonstration has.
+[[nodiscard]] std::optional<Condition> readTask(LevelFile const& level, Problems& problems);
+[[nodiscard]] std::optional<Condition> readTask(LevelFile const& level);
 
 } // namespace trembler

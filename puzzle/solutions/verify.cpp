@@ -84,11 +84,8 @@ std::vector<std::string> verifyLevel(GameData const& gameData, std::filesystem::
         for (auto const& [effect, name] : detail) {
             level.detail[effect] = name;
         }
-        if (level.goals.is_null()) {
-            failures.push_back(fmt::format("{}: it has no goals", name));
-        }
-        if (level.solutions.empty()) {
-            failures.push_back(fmt::format("{}: no solution is recorded", name));
+        for (Diagnostic const& lacking : checkup.lacking) {
+            failures.push_back(fmt::format("{}: {}", name, lacking.message));
         }
         RunReport const handsOff = runOnce(gameData, level, nullptr, 1);
         addWarnings(failures, name, handsOff);

@@ -126,14 +126,10 @@ std::optional<ScreenRequest> Menu::drawLevels(UiContext& context, Screen& behind
 std::optional<ScreenRequest> Menu::drawEnding(UiContext& context) {
     std::optional<ScreenRequest> asked;
     context.layout.beginCard("ending", text("ending.title"), {.anchor = Anchor::Middle, .width = 440});
-    int stars = 0;
-    for (CatalogGroup const& chapter : context.levels.groups()) {
-        for (CatalogEntry const& level : chapter.levels) {
-            stars += chapter.gallery ? 0 : context.profile.progress().of(level.id).stars();
-        }
-    }
-    int const rest = shownStars * static_cast<int>(context.levels.puzzles()) - stars;
-    caption((rest > 0 ? textWith("ending.stars", stars, rest) : textWith("ending.all_stars", stars)).c_str());
+    StarCount const stars = context.levels.stars(context.profile.progress());
+    caption((stars.missing > 0 ? textWith("ending.stars", stars.won, stars.missing)
+                               : textWith("ending.all_stars", stars.won))
+                .c_str());
     ImGui::Dummy({0, scaled(2)});
     caption(text("ending.more"));
     ImGui::Dummy({0, scaled(4)});

@@ -124,13 +124,19 @@ SolutionsPage::Choice SolutionsPage::drawRow(UiContext& context, SolutionShelf& 
     return Choice::stay;
 }
 
+std::string noSolutionsYet(KeyBindings const& keys) {
+    auto const save = keys.keysOf("save");
+    return save.empty() ? text("solutions.none_without_key")
+                        : textWith("solutions.none", labelOf(save.front()));
+}
+
 SolutionsPage::Choice SolutionsPage::draw(UiContext& context, SolutionShelf& shelf) {
     Choice choice = Choice::stay;
     ImVec2 const screen = ImGui::GetIO().DisplaySize;
     float const width = std::min(screen.x / theme().scale - 32, solutionsWidth);
     context.layout.beginCard("solutions", text("solutions.title"),
                              {.anchor = Anchor::Middle, .width = width});
-    caption(text(shelf.items().empty() ? "solutions.none" : "solutions.about"));
+    caption(shelf.items().empty() ? noSolutionsYet(context.keys).c_str() : text("solutions.about"));
     float const row = ImGui::GetFrameHeightWithSpacing();
     float const wanted = row * static_cast<float>(shelf.items().size());
     float const room = std::max(screen.y - scaled(280), row);

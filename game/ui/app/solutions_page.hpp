@@ -1,12 +1,14 @@
 // The page of a level's solutions: load, rename, delete.
 #pragma once
 
+#include "game/ui/commands/key_bindings.hpp"
 #include "game/ui/play/keeping/solution_shelf.hpp"
 #include "game/ui/shared/ui_context.hpp"
 
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <string>
 
 namespace trembler::ui {
 
@@ -34,5 +36,8 @@ private:
     bool focuses_ = false;               // the text field gets the keys in the next picture
     std::array<char, 101> name_{};
 };
+
+/// Instead of an empty list: how a solution is saved, with the first key that saves it, if there is one.
+[[nodiscard]] std::string noSolutionsYet(KeyBindings const& keys);
 
 } // namespace trembler::ui

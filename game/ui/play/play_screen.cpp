@@ -252,6 +252,8 @@ void PlayScreen::updateBehindMenu(double seconds) {
     passKeysToCard(false);
 }
 
+// Scripts and a time budget need no pictures of their own: pictures that are not drawn look at the scripts'
+// files, too, and a budget decides only between the frames of a run.
 bool PlayScreen::still() const {
     constexpr double ringsOut = 3; // s, in which the last sounds die away
     bool const celebrates = parts_.celebration.showing() && parts_.celebration.age() < 5;
@@ -259,7 +261,7 @@ bool PlayScreen::still() const {
     return sinceStep_ > ringsOut && !celebrates && !moves && !parts_.lesson.moving() &&
            !parts_.timeline.moving() && !parts_.whatIf->moving() && !parts_.squash.moving() &&
            !parts_.cuts.moving() && !parts_.secondPointer.moving() && parts_.sparks.sparks().empty() &&
-           !parts_.allBack.waiting() && !parts_.hasMods() && !parts_.budget.budget() && !parts_.why.busy();
+           !parts_.allBack.waiting() && !parts_.why.busy();
 }
 
 bool PlayScreen::keepsPicture() const {

@@ -118,6 +118,7 @@ bool LiveProblems::refresh(LevelDocument const& document) {
         try {
             LevelCheckup checkup = checkWholeLevel(document.data(), document.json());
             found = std::move(checkup.problems);
+            found.insert(found.end(), checkup.lacking.begin(), checkup.lacking.end());
             playable_ = checkup.playable;
         } catch (InputError const& error) {
             found = error.diagnostics();

@@ -2,10 +2,14 @@
 
 #include "render/scene/facts/pick.hpp"
 #include "render/scene/objects/joint_parts.hpp"
+#include "render/scene/objects/wires.hpp"
 #include "runtime/level/build/part_expander.hpp"
 #include "runtime/level/build/placed_pieces.hpp"
 
 #include <map>
+#include <optional>
+#include <set>
+#include <utility>
 
 namespace trembler::render {
 namespace {
@@ -43,6 +47,33 @@ public:
         putInDrawOrder(all);
         return all;
     }
+    /// The cables between pieces that are seen, each by two places in properties_.
+    [[nodiscard]] std::vector<std::pair<std::size_t, std::size_t>> cables() const {
+        std::set<std::pair<std::size_t, std::size_t>> inside; // both orders
+        for (std::size_t i = 0; i < properties_.size(); ++i) {
+            Joint const* const joint = properties_[i].find<Joint>();
+            if (joint == nullptr || !hidesWires(*joint)) {
+                continue;
+            }
+            auto const a = place(i, joint->a);
+            auto const b = place(i, joint->b);
+            if (a && b) {
+                inside.insert({*a, *b});
+                inside.insert({*b, *a});
+            }
+        }
+        std::vector<std::pair<std::size_t, std::size_t>> all;
+        for (MadeConnection const& made : expanded_.connections) {
+            auto const a = byName_.find(made.connection.a);
+            auto const b = byName_.find(made.connection.b);
+            if (a != byName_.end() && b != byName_.end() && !inside.contains({a->second, b->second}) &&
+                facts(a->second).visible() && facts(b->second).visible()) {
+                all.emplace_back(a->second, b->second);
+            }
+        }
+        return all;
+    }
+    [[nodiscard]] Facts facts(std::size_t place) const { return factsOf(properties_[place]); }
     void drawJoints(Canvas& canvas) const {
         for (std::size_t i = 0; i < properties_.size(); ++i) {
             Joint const* const joint = properties_[i].find<Joint>();
@@ -66,14 +97,19 @@ public:
     }
 
 private:
-    /// What a reference of a joint refers to; nullptr if it is not among the part's objects.
-    [[nodiscard]] PropertySet const* named(std::size_t joint, ObjectId reference) const {
+    /// The place in properties_ of what a reference of a joint refers to; nullopt if it is not among the
+    /// part's objects.
+    [[nodiscard]] std::optional<std::size_t> place(std::size_t joint, ObjectId reference) const {
         StatementScope const* const scope = expanded_.objects[joint].stated.front().scope;
         if (scope == nullptr || scope->names == nullptr || !reference.valid()) {
-            return nullptr;
+            return std::nullopt;
         }
         auto const found = byName_.find(scope->prefix + scope->names->nameOf(reference));
-        return found == byName_.end() ? nullptr : &properties_[found->second];
+        return found == byName_.end() ? std::nullopt : std::optional(found->second);
+    }
+    [[nodiscard]] PropertySet const* named(std::size_t joint, ObjectId reference) const {
+        auto const found = place(joint, reference);
+        return found ? &properties_[*found] : nullptr;
     }
 
     bool whole_ = true;
@@ -96,6 +132,11 @@ void drawPart(Canvas& canvas, PartLibrary const& library, Placement const& place
         drawObject(canvas, facts, poseOf(facts), marks);
     }
     part.drawJoints(canvas);
+    for (auto const& [i, j] : part.cables()) {
+        Facts const a = part.facts(i);
+        Facts const b = part.facts(j);
+        drawCable(canvas, a, poseOf(a), b, poseOf(b));
+    }
 }
 
 Extent extentOfPart(PartLibrary const& library, Placement const& placement) {
@@ -104,6 +145,13 @@ Extent extentOfPart(PartLibrary const& library, Placement const& placement) {
         ExpandedPart const part(library, placement);
         for (Facts const& facts : part.pieces()) {
             around.add(pictureExtentOf(facts, poseOf(facts)));
+        }
+        for (auto const& [i, j] : part.cables()) {
+            Facts const a = part.facts(i);
+            Facts const b = part.facts(j);
+            for (Point const point : cablePath(a, poseOf(a), b, poseOf(b))) {
+                around.add(point);
+            }
         }
     }
     return around;

@@ -14,8 +14,8 @@ namespace trembler::render {
 void drawPart(Canvas& canvas, PartLibrary const& library, Placement const& placement,
               Marks const& marks = {});
 
-/// The rectangle around all of its bodies and drawings, for the toolbox' picture; empty if there is nothing
-/// to see.
+/// The rectangle around all of its bodies, drawings and cables, for the toolbox' picture; empty if there is
+/// nothing to see.
 [[nodiscard]] Extent extentOfPart(PartLibrary const& library, Placement const& placement);
 
 } // namespace trembler::render

@@ -1,6 +1,5 @@
 #include "render/scene/objects/wires.hpp"
 
-#include "physics/dynamics/properties/joint.hpp"
 #include "render/draw/path.hpp"
 #include "render/scene/facts/pick.hpp"
 #include "render/scene/facts/shape_geometry.hpp"
@@ -87,7 +86,7 @@ std::vector<std::pair<ObjectId, ObjectId>> hiddenTies(World const& world) {
     std::vector<std::pair<ObjectId, ObjectId>> pairs;
     if (auto const* const joints = world.store().findColumn<Joint>()) {
         for (Joint const& joint : joints->values()) {
-            if (joint.look.drawn == JointDrawn::none && holdsTogether(joint.form)) {
+            if (hidesWires(joint)) {
                 pairs.emplace_back(std::min(joint.a, joint.b), std::max(joint.a, joint.b));
             }
         }
@@ -120,6 +119,10 @@ void drawEnd(Canvas& canvas, Facts const& facts, Point at, bool live) {
 }
 
 } // namespace
+
+bool hidesWires(Joint const& joint) {
+    return joint.look.drawn == JointDrawn::none && holdsTogether(joint.form);
+}
 
 std::vector<Link> linksOf(World const& world) {
     std::vector<Link> links;
@@ -179,6 +182,37 @@ std::vector<Point> cablePath(Facts const& a, Pose const& poseA, Facts const& b, 
     return path;
 }
 
+void drawCable(Canvas& canvas, Facts const& a, Pose const& poseA, Facts const& b, Pose const& poseB,
+               CableCurrent const& current) {
+    std::vector<Point> path = cablePath(a, poseA, b, poseB);
+    Stroke cable{.colour = current.live ? mix(palette::deadWire, palette::live, 0.75F) : palette::deadWire,
+                 .width = cableWidth,
+                 .pixels = 2.F,
+                 .outline = 1.2F,
+                 .round = true,
+                 .height = 0.9F};
+    if (cableWidth < canvas.metres(2)) { // seen from afar it is only a line
+        cable.outline = 0;
+        cable.round = false;
+        cable.height = 0;
+    }
+    if (current.live) {
+        cable.glow = {palette::live, 0.13, 0.75F};
+    }
+    canvas.polyline(path, cable);
+    if (current.live) {
+        if (!current.forward) {
+            std::reverse(path.begin(), path.end());
+        }
+        canvas.beads(path, beadSpacing, current.time * beadsPerSecond, 0.55 * cableWidth, palette::liveCore);
+        if (!current.forward) {
+            std::reverse(path.begin(), path.end());
+        }
+    }
+    drawEnd(canvas, a, path.front(), current.live);
+    drawEnd(canvas, b, path.back(), current.live);
+}
+
 void drawWires(Canvas& canvas, FactsReader const& reader, std::vector<Link> const& links,
                PoseOf const& poseOf, double time) {
     Extent const view = viewOf(canvas.camera());
@@ -193,33 +227,7 @@ void drawWires(Canvas& canvas, FactsReader const& reader, std::vector<Link> cons
         if (!cableReach(a, poseA, b, poseB).widened(canvas.metres(20)).overlaps(view)) {
             continue;
         }
-        std::vector<Point> path = cablePath(a, poseA, b, poseB);
-        Stroke cable{.colour = link.live ? mix(palette::deadWire, palette::live, 0.75F) : palette::deadWire,
-                     .width = cableWidth,
-                     .pixels = 2.F,
-                     .outline = 1.2F,
-                     .round = true,
-                     .height = 0.9F};
-        if (cableWidth < canvas.metres(2)) { // seen from afar it is only a line
-            cable.outline = 0;
-            cable.round = false;
-            cable.height = 0;
-        }
-        if (link.live) {
-            cable.glow = {palette::live, 0.13, 0.75F};
-        }
-        canvas.polyline(path, cable);
-        if (link.live) {
-            if (!link.forward) {
-                std::reverse(path.begin(), path.end());
-            }
-            canvas.beads(path, beadSpacing, time * beadsPerSecond, 0.55 * cableWidth, palette::liveCore);
-            if (!link.forward) {
-                std::reverse(path.begin(), path.end());
-            }
-        }
-        drawEnd(canvas, a, path.front(), link.live);
-        drawEnd(canvas, b, path.back(), link.live);
+        drawCable(canvas, a, poseA, b, poseB, {link.live, link.forward, time});
     }
 }
 

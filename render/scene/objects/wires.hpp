@@ -2,6 +2,7 @@
 // flows.
 #pragma once
 
+#include "physics/dynamics/properties/joint.hpp"
 #include "physics/electricity/properties/graph.hpp"
 #include "render/draw/canvas.hpp"
 #include "render/scene/facts/poses.hpp"
@@ -33,9 +34,23 @@ using PoseOf = std::function<Pose(Facts const&)>;
 [[nodiscard]] std::vector<Point> cablePath(Facts const& a, Pose const& poseA, Facts const& b,
                                            Pose const& poseB);
 
+/// Whether a wire between the two objects of a joint runs inside the joint and is not drawn: the joint has
+/// the look "none" and holds them together.
+[[nodiscard]] bool hidesWires(Joint const& joint);
+
+/// The current in a cable that is drawn.
+struct CableCurrent {
+    bool live = false;
+    bool forward = true; ///< from a to b
+    double time = 0;     ///< s; moves the beads
+};
+
+/// Draws one cable, from a to b, with its ends.
+void drawCable(Canvas& canvas, Facts const& a, Pose const& poseA, Facts const& b, Pose const& poseB,
+               CableCurrent const& current = {});
+
 /// Draws every wire that the level has laid, unless it is inside a joint; connections that interactions make
-/// are not drawn. `time` in s
-/// moves the beads of current.
+/// are not drawn. `time` in s moves the beads of current.
 void drawWires(Canvas& canvas, FactsReader const& reader, std::vector<Link> const& links,
                PoseOf const& poseOf, double time);
 

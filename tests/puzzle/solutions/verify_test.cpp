@@ -120,6 +120,13 @@ TEST_F(Verify, ReportsMissingGoalsAndSolutions) {
     EXPECT_EQ(failuresOf({"", pushed, ""}).size(), 1U);
 }
 
+TEST_F(Verify, ReportsATaskThatCanNeverBeFulfilledWithItsPlace) {
+    auto const failures =
+        failuresOf({R"("demonstration": true, "task": {"on": "resting"}, )", fallen, pushes});
+    ASSERT_EQ(failures.size(), 1U) << lines(failures);
+    EXPECT_NE(failures.front().find(": /task"), std::string::npos) << failures.front();
+}
+
 TEST_F(Verify, ReportsWhatCannotBeReadWithItsPlace) {
     auto const unknown = failuresOf({R"("gaols": {}, )", pushed, pushes});
     ASSERT_EQ(unknown.size(), 1U) << lines(unknown);

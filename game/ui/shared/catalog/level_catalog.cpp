@@ -249,11 +249,16 @@ bool LevelCatalog::inGallery(fs::path const& file) const {
     return home != nullptr && home->gallery;
 }
 
-std::size_t LevelCatalog::puzzles() const {
-    std::size_t count = 0;
+StarCount LevelCatalog::stars(CampaignProgress const& progress) const {
+    StarCount count;
     for (std::size_t i = 0; i + ofMods_ < groups_.size(); ++i) {
         for (CatalogEntry const& entry : groups_[i].levels) {
-            count += !groups_[i].gallery && entry.trouble.empty() ? 1U : 0U;
+            if (groups_[i].gallery || !entry.trouble.empty()) {
+                continue;
+            }
+            int const won = progress.of(entry.id).stars();
+            count.won += won;
+            count.missing += std::max(shownStars - won, 0);
         }
     }
     return count;

@@ -34,6 +34,14 @@ struct CatalogGroup {
     Translations texts{}; ///< title and text in further languages
 };
 
+/// The stars of several levels.
+struct StarCount {
+    int won = 0;
+    /// Of those that are shown of each level before they are reached (shownStars): a third star of one level
+    /// does not stand for the second of another.
+    int missing = 0;
+};
+
 /// Levels that name mods, and levels of mods.
 struct CatalogMods {
     /// What a level is read with, nullptr if it names no mods; throws InputError. Empty: a level that names
@@ -65,8 +73,8 @@ public:
                                            std::filesystem::path const& file = {}) const;
     /// Whether the file is a level of a gallery of demonstrations.
     [[nodiscard]] bool inGallery(std::filesystem::path const& file) const;
-    /// How many playable puzzles there are, demonstrations of galleries and levels of mods not among them.
-    [[nodiscard]] std::size_t puzzles() const;
+    /// Of all playable puzzles, demonstrations of galleries and levels of mods not among them.
+    [[nodiscard]] StarCount stars(CampaignProgress const& progress) const;
 
 private:
     [[nodiscard]] CatalogGroup const* groupOf(CatalogEntry const* entry) const;

@@ -1,6 +1,11 @@
 // Saved solutions are loaded, renamed and deleted in the game.
+#include "game/ui/app/command_lists.hpp"
+#include "game/ui/app/solutions_page.hpp"
+#include "game/ui/shared/texts.hpp"
 #include "tests/game/ui/player.hpp"
 #include "tests/game/ui/tidy.hpp"
+
+#include <algorithm>
 
 namespace trembler::ui::test {
 namespace solutions_page_test {
@@ -104,6 +109,22 @@ TEST_F(SolutionsList, AreUsedWithKeysAlone) {
     player.key(SDLK_RETURN); // the ring is at the first button, "Load"
     player.frames(2);
     EXPECT_EQ(player.session().placed().size(), 1U);
+}
+
+TEST(SolutionsPage, NamesTheKeyThatSavesWhicheverItIs) {
+    useLanguage("en");
+    KeyBindings keys(commandLists());
+    EXPECT_NE(noSolutionsYet(keys).find("Ctrl+S"), std::string::npos) << noSolutionsYet(keys);
+    auto const all = keys.commands();
+    auto const save =
+        std::find_if(all.begin(), all.end(), [](CommandInfo const* one) { return one->id == "save"; });
+    ASSERT_NE(save, all.end());
+    EXPECT_FALSE(keys.bind(**save, withCtrl(SDLK_k)));
+    EXPECT_NE(noSolutionsYet(keys).find("Ctrl+K"), std::string::npos) << noSolutionsYet(keys);
+    EXPECT_EQ(noSolutionsYet(keys).find("Ctrl+S"), std::string::npos) << noSolutionsYet(keys);
+    keys.unbind(**save);
+    EXPECT_EQ(noSolutionsYet(keys).find_first_of("{}+"), std::string::npos) << noSolutionsYet(keys);
+    EXPECT_NE(noSolutionsYet(keys).find("disk"), std::string::npos) << noSolutionsYet(keys);
 }
 
 } // namespace

@@ -206,6 +206,22 @@ TEST_F(SavedScripts, ReplaceTheWorldThatIsBeingBuilt) {
     EXPECT_FALSE(player.session().altered());
 }
 
+TEST_F(SavedScripts, WakeAWindowAtRest) {
+    Player player;
+    player.open(folder / "level.json");
+    player.frames(240);
+    ASSERT_TRUE(player.app().resting());
+    save("out.addForce(object, vec2(-10, 0))");
+    int frames = 0;
+    while (player.app().resting() && frames < 60) { // as the loop does it: undrawn
+        player.app().frame(1.0 / 60, false);
+        ++frames;
+    }
+    EXPECT_LT(frames, 60) << "a second";
+    EXPECT_EQ(player.play().workshop()->scripts().front().saved, 1);
+    EXPECT_EQ(player.app().context().toasts.count(), 1U);
+}
+
 TEST_F(SavedScripts, OfAMissingModAreReportedBeforeTheLevelStarts) {
     fs::remove_all(folder / "mods");
     Player player({1280, 720}, {}, folder);

@@ -243,6 +243,21 @@ TEST(AtRest, NothingIsDrawnOnAnyScreen) {
     expectRest("the menu");
     player.clickItem("menu.settings");
     expectRest("the settings");
+    player.open(std::filesystem::path(TREMBLER_SOURCE_DIR) / "mods/wind/levels/1-a-fair-wind.json");
+    expectRest("a level with a mod");
+    player.key(SDLK_m);
+    expectRest("the panel of mods");
+    player.open(levelsFolder() / "first/2-into-the-basket.json");
+    player.key(SDLK_b);
+    player.frames(60); // in these and those of expectRest() the message about it goes
+    expectRest("a level with a time budget");
+    auto const toasts = player.app().context().toasts.count();
+    player.key(SDLK_PERIOD);
+    EXPECT_EQ(player.app().context().toasts.count(), toasts + 1) << "the new budget is told at once";
+    EXPECT_FALSE(player.app().resting());
+    player.key(SDLK_c);
+    player.frames(60);
+    expectRest("the panel of components, with a time budget");
     player.app().edit({});
     expectRest("the editor");
     player.key(SDLK_p, KMOD_LCTRL); // with a cursor in a field
@@ -314,6 +329,31 @@ TEST(Stars, AnotherKindOfSolutionHasOne) {
     player.frames(3);
     EXPECT_EQ(player.app().menu().page(), MenuPage::ending);
     EXPECT_TRUE(player.showsCard("ending"));
+}
+
+TEST(Stars, AThirdOfOneLevelIsNotTheSecondOfAnother) {
+    LevelCatalog const& levels = gameLevels();
+    CampaignProgress progress;
+    int puzzles = 0;
+    int galleries = 0;
+    for (CatalogGroup const& chapter : levels.groups()) {
+        for (CatalogEntry const& entry : chapter.levels) {
+            // Of the first puzzle three kinds are found, of the second one, and two of every other.
+            int const kinds = chapter.gallery ? 3 : puzzles == 0 ? 3 : puzzles == 1 ? 1 : 2;
+            (chapter.gallery ? galleries : puzzles) += 1;
+            progress.markSolved(entry.id);
+            for (int kind = 0; kind < kinds; ++kind) {
+                progress.addKind(entry.id, {{std::string(1, static_cast<char>('a' + kind))}, {}, {}});
+            }
+        }
+    }
+    ASSERT_GT(puzzles, 2);
+    ASSERT_GT(galleries, 0);
+    StarCount const stars = levels.stars(progress);
+    EXPECT_EQ(stars.won, 2 * puzzles);
+    EXPECT_EQ(stars.missing, 1) << "the second star of the second puzzle";
+    EXPECT_EQ(levels.stars({}).missing, 2 * puzzles);
+    EXPECT_EQ(levels.stars({}).won, 0);
 }
 
 } // namespace

@@ -111,6 +111,60 @@ TEST(LiveProblems, FindGoalsThatCanNeverComeTrue) {
     EXPECT_TRUE(after({{"any", {touches, {{"not", touches}}}}}, none).empty());
 }
 
+TEST(LiveProblems, FindTasksThatCanNeverComeTrue) {
+    auto const after = [](Json const& task) {
+        return problemsAfter([&](LevelDocument& document) {
+            document.run(
+                {"Task", [&](Json& level) {
+                     level["demonstration"] = true;
+                     level["task"] = task;
+                     level["objects"].push_back({{"name", "lamp"}, {"part", "lamp"}, {"at", {3, 3}}});
+                 }});
+        });
+    };
+    Json const touches{{"touching", {"ball", "table"}}};
+    EXPECT_TRUE(after(touches).empty());
+    struct Case {
+        Json task;
+        char const* place;
+        char const* words;
+    };
+    for (Case const& tried :
+         {Case{{{"on", "lamp"}}, "", "no source"},
+          Case{{{"all", {touches, {{"not", touches}}}}}, "/all/1", "opposite"},
+          Case{{{"all", {touches, {{"moved", {{"object", "table"}, {"by", 1}}}}}}}, "/all/1", "never"},
+          Case{{{"inside", {{"object", "ball"}, {"area", {60, 0, 1, 1}}}}}, "", "outside the bounds"},
+          Case{{{"all", {touches, {{"on", "lmap"}}}}}, "/all/1", "'lmap'"}}) {
+        auto const found = after(tried.task);
+        ASSERT_EQ(found.size(), 1U) << tried.task;
+        EXPECT_EQ(found.front().about, Problem::About::task) << tried.task;
+        EXPECT_EQ(found.front().name, tried.place) << tried.task;
+        EXPECT_NE(found.front().words().find(tried.words), std::string::npos) << found.front().words();
+        EXPECT_GT(found.front().diagnostic.line, 0U);
+    }
+}
+
+TEST(LiveProblems, ListWhatALevelLacks) {
+    auto const without = [](char const* key) {
+        return problemsAfter([&](LevelDocument& document) {
+            document.run({"Remove", [&](Json& level) { level.erase(key); }});
+        });
+    };
+    auto const goals = without("goals");
+    ASSERT_EQ(goals.size(), 1U);
+    EXPECT_EQ(goals.front().about, Problem::About::goal);
+    EXPECT_EQ(goals.front().words(), "it has no goals");
+    auto const solutions = without("solutions");
+    ASSERT_EQ(solutions.size(), 1U);
+    EXPECT_EQ(solutions.front().about, Problem::About::solution);
+    EXPECT_EQ(solutions.front().words(), "no solution is recorded");
+    // They do not keep a designer from playing the level.
+    LiveProblems problems;
+    problems.refresh(LevelDocument::blank(editData()));
+    EXPECT_EQ(problems.all().size(), 2U);
+    EXPECT_TRUE(problems.playable());
+}
+
 TEST(LiveProblems, ListFaultyPartsOfTheAuthor) {
     auto const folder = testFolder();
     std::filesystem::create_directories(folder / "trembler" / "parts");

@@ -259,6 +259,44 @@ TEST(DrawnPart, ShowsAllPiecesAndJointsBeforeItIsInAWorld) {
     EXPECT_TRUE(extentOfPart(parts, {"nothing", {}, 0, ""}).empty());
 }
 
+TEST(DrawnPart, ShowsTheCablesBetweenItsPieces) {
+    auto const partWith = [](std::string const& joint) {
+        PartLibrary parts;
+        parts.add(readPart(everything(), JsonDocument::parse(R"({"name": "cable", "main": "left", "objects": [
+            {"name": "left", "at": [-0.6, 0.3], "properties": {"conductor": true, "material": "copper",
+             "shape": [{"form": "circle", "radius": 0.1}]}},
+            {"name": "right", "at": [0.6, 0.3], "properties": {"conductor": true, "material": "copper",
+             "shape": [{"form": "circle", "radius": 0.1}]}}],
+            "joints": [)" + joint + R"(], "connections": [["left", "right"]]})",
+                                                             "cable.json")));
+        return parts;
+    };
+    auto const pictureOf = [&](PartLibrary const& parts) {
+        return picture(sheet, palette::paper,
+                       [&](Canvas& canvas) {
+                           drawPart(canvas, parts, {"cable", {}, 0, ""});
+                       },
+                       {.shadows = false});
+    };
+    PartLibrary const rope =
+        partWith(R"({"form": "rope", "a": "left", "b": "right", "at": [-0.6, 0.3], "at_b": [0.6, 0.3],
+                     "length": 1.5, "look": "none"})");
+    // The lowest point of the cable is at x = 0, as it is symmetric; where it is follows from the picture.
+    Extent const extent = extentOfPart(rope, {"cable", {}, 0, ""});
+    EXPECT_LT(extent.lower.y, 0.2) << "it hangs below both pieces";
+    EXPECT_GT(extent.lower.y, -0.1);
+    EXPECT_NEAR(extent.lower.x, -0.7, 1e-9);
+    Image const image = pictureOf(rope);
+    Image const blank = picture(sheet, palette::paper, [](Canvas&) {}, {.shadows = false});
+    EXPECT_NE(at(image, 0, extent.lower.y), at(blank, 0, extent.lower.y)) << "the cable";
+    EXPECT_EQ(at(image, 0, 0.3), at(blank, 0, 0.3)) << "no rope";
+    // As in a world, it runs inside a joint that is not drawn and holds the pieces together.
+    PartLibrary const weld =
+        partWith(R"({"form": "weld", "a": "left", "b": "right", "at": [0, 0.3], "look": "none"})");
+    EXPECT_NEAR(extentOfPart(weld, {"cable", {}, 0, ""}).lower.y, 0.2, 1e-9);
+    EXPECT_EQ(at(pictureOf(weld), 0, extent.lower.y), at(blank, 0, extent.lower.y));
+}
+
 TEST(DrawnCopies, OfACurveRunThroughTheStatedPoints) {
     DrawnShape line;
     line.form = DrawnForm::line;
