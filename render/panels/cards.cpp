@@ -4,6 +4,7 @@
 #include "render/panels/buttons.hpp"
 #include "render/panels/icons.hpp"
 #include "render/panels/theme.hpp"
+#include "render/panels/unbroken.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -117,7 +118,7 @@ void goalLines(std::span<GoalLine const> lines) {
         ImGui::SetCursorScreenPos({at.x + side + scaled(10), at.y});
         ImGui::PushTextWrapPos(0.F);
         ImGui::PushStyleColor(ImGuiCol_Text, imColour4(line.state == GoalLine::State::Met ? inkSoft : ink));
-        ImGui::TextUnformatted(line.text.data(), line.text.data() + line.text.size());
+        ImGui::TextUnformatted(unbroken(line.text).c_str());
         ImGui::PopStyleColor();
         ImGui::PopTextWrapPos();
         if (line.progress >= 0.F) {
@@ -136,7 +137,7 @@ void goalLines(std::span<GoalLine const> lines) {
 void caption(char const* text) {
     ImGui::PushStyleColor(ImGuiCol_Text, imColour4(inkSoft));
     ImGui::PushTextWrapPos(0.F);
-    ImGui::TextUnformatted(text);
+    ImGui::TextUnformatted(unbroken(text).c_str());
     ImGui::PopTextWrapPos();
     ImGui::PopStyleColor();
 }

@@ -5,6 +5,7 @@
 #include "game/ui/shared/words.hpp"
 #include "render/draw/palette.hpp"
 #include "render/panels/theme.hpp"
+#include "render/panels/unbroken.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -54,7 +55,7 @@ void drawHints(std::vector<std::string> const& hints, std::size_t hintsShown, Co
         smallHeading(words::hintOf(i + 1, hints.size()));
         // A heading stands closer to the text below it.
         ImGui::SetCursorPosY(ImGui::GetCursorPosY() - scaled(5));
-        ImGui::TextWrapped("%s", hints[i].c_str());
+        ImGui::TextWrapped("%s", unbroken(hints[i]).c_str());
         ImGui::Dummy({0, scaled(2)});
     }
     if (shown < hints.size()) {
