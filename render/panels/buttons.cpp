@@ -42,7 +42,7 @@ ImVec2 drawFace(ImVec2 low, ImVec2 high, Face const& face, bool down) {
     auto& list = *ImGui::GetWindowDrawList();
     float const lip = scaled(4);
     float const rounding = scaled(9);
-    float const rim = scaled(1.6F);
+    float const rim = scaled(buttonOutline);
     float const sunk = down ? lip - scaled(1) : 0.F;
     Colour const line = mix(ink, face.body, 0.15F);
     list.AddRectFilled({low.x, low.y + sunk}, high, imColour(face.lip), rounding);

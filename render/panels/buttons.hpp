@@ -10,6 +10,9 @@ namespace trembler::render {
 // Between Gui::beginFrame and endFrame, inside an ImGui window. The part of a label after "##" makes the id
 // unique and is not shown, as everywhere in ImGui.
 
+/// Width of the line around a button, pixels at UI scale 1; half of it lies outside the button.
+inline constexpr float buttonOutline = 1.6F;
+
 enum class ButtonLook : std::uint8_t {
     Primary, ///< the one thing to do next
     Quiet,   ///< everything else

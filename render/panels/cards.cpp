@@ -1,10 +1,13 @@
 #include "render/panels/cards.hpp"
 
 #include "render/draw/palette.hpp"
+#include "render/panels/buttons.hpp"
 #include "render/panels/icons.hpp"
 #include "render/panels/theme.hpp"
+#include "render/panels/unbroken.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace trembler::render {
 
@@ -25,6 +28,13 @@ float inwards(float pivot, float offset) {
     return (pivot < 0.25F ? 1.F : (pivot > 0.75F ? -1.F : 0.F)) * offset;
 }
 
+/// Around the content of a bare card, pixels. Half of it is within what ImGui clips at: room for the half of
+/// a button's outline that lies outside the button, and for the part of a pixel that ImGui cuts from a
+/// window's size.
+float outlineRoom() {
+    return 2 * std::ceil(0.5F * scaled(buttonOutline)) + 1;
+}
+
 /// A soft shadow under the card, in the layer below all windows.
 void shadowUnder(ImVec2 low, ImVec2 high) {
     auto& list = *ImGui::GetBackgroundDrawList();
@@ -41,10 +51,11 @@ void shadowUnder(ImVec2 low, ImVec2 high) {
 void beginCard(char const* id, char const* title, CardOptions const& options) {
     ImVec2 const screen = ImGui::GetIO().DisplaySize;
     ImVec2 const pivot = pivotOf(options.anchor);
-    ImGui::SetNextWindowPos({screen.x * pivot.x + inwards(pivot.x, scaled(options.offset.x)),
-                             screen.y * pivot.y + inwards(pivot.y, scaled(options.offset.y))},
+    float const padding = options.bare ? outlineRoom() : 0.F; // outside, so that the content keeps its place
+    ImGui::SetNextWindowPos({screen.x * pivot.x + inwards(pivot.x, scaled(options.offset.x) - padding),
+                             screen.y * pivot.y + inwards(pivot.y, scaled(options.offset.y) - padding)},
                             ImGuiCond_Always, pivot);
-    float const width = scaled(options.width);
+    float const width = options.width > 0 ? scaled(options.width) + 2 * padding : 0.F;
     if (width > 0) {
         ImGui::SetNextWindowSizeConstraints({width, 0}, {width, screen.y});
     }
@@ -53,7 +64,7 @@ void beginCard(char const* id, char const* title, CardOptions const& options) {
                              ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav;
     if (options.bare) {
         flags |= ImGuiWindowFlags_NoBackground;
-        ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
+        ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(padding, padding));
         ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0.F);
     }
     ImGui::Begin(id, nullptr, flags);
@@ -107,7 +118,7 @@ void goalLines(std::span<GoalLine const> lines) {
         ImGui::SetCursorScreenPos({at.x + side + scaled(10), at.y});
         ImGui::PushTextWrapPos(0.F);
         ImGui::PushStyleColor(ImGuiCol_Text, imColour4(line.state == GoalLine::State::Met ? inkSoft : ink));
-        ImGui::TextUnformatted(line.text.data(), line.text.data() + line.text.size());
+        ImGui::TextUnformatted(unbroken(line.text).c_str());
         ImGui::PopStyleColor();
         ImGui::PopTextWrapPos();
         if (line.progress >= 0.F) {
@@ -126,7 +137,7 @@ void goalLines(std::span<GoalLine const> lines) {
 void caption(char const* text) {
     ImGui::PushStyleColor(ImGuiCol_Text, imColour4(inkSoft));
     ImGui::PushTextWrapPos(0.F);
-    ImGui::TextUnformatted(text);
+    ImGui::TextUnformatted(unbroken(text).c_str());
     ImGui::PopTextWrapPos();
     ImGui::PopStyleColor();
 }

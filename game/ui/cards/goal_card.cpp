@@ -5,6 +5,7 @@
 #include "game/ui/shared/words.hpp"
 #include "render/draw/palette.hpp"
 #include "render/panels/theme.hpp"
+#include "render/panels/unbroken.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -54,7 +55,7 @@ void drawHints(std::vector<std::string> const& hints, std::size_t hintsShown, Co
         smallHeading(words::hintOf(i + 1, hints.size()));
         // A heading stands closer to the text below it.
         ImGui::SetCursorPosY(ImGui::GetCursorPosY() - scaled(5));
-        ImGui::TextWrapped("%s", hints[i].c_str());
+        ImGui::TextWrapped("%s", unbroken(hints[i]).c_str());
         ImGui::Dummy({0, scaled(2)});
     }
     if (shown < hints.size()) {
@@ -115,17 +116,6 @@ std::optional<std::string> drawGoalCard(Layout& layout, Session const& session, 
     std::vector<std::string> const& hints = look.said != nullptr ? look.said->hints() : level.hints;
     std::optional<std::string> asked;
     layout.beginCard("goal", "", {.anchor = Anchor::TopLeft, .width = goalCardWidth});
-    // What does not fit above the buttons scrolls: its height is that of the last picture.
-    ImGuiID const heightId = ImGui::GetID("height of the content");
-    float const height = ImGui::GetStateStorage()->GetFloat(heightId);
-    float const most = ImGui::GetIO().DisplaySize.y - scaled(2 * cardGap + bottomRow + look.below) -
-                       2 * ImGui::GetStyle().WindowPadding.y;
-    bool const scrolls = height > most;
-    if (scrolls) {
-        ImGui::PushStyleColor(ImGuiCol_ChildBg, ImVec4(0, 0, 0, 0));
-        ImGui::BeginChild("content", {0, most});
-    }
-    float const top = ImGui::GetCursorPosY();
     ImGui::PushFont(theme().fonts.heading);
     ImGui::TextWrapped("%s", title.c_str());
     ImGui::PopFont();
@@ -134,6 +124,17 @@ std::optional<std::string> drawGoalCard(Layout& layout, Session const& session, 
     ImGui::GetWindowDrawList()->AddRectFilled({low.x, y}, {low.x + scaled(36), y + scaled(3)},
                                               imColour(palette::accent), scaled(1.5F));
     ImGui::Dummy({0, scaled(3)});
+    // What does not fit between the heading and the buttons scrolls: its height is that of the last picture.
+    ImGuiID const heightId = ImGui::GetID("height of the content");
+    float const height = ImGui::GetStateStorage()->GetFloat(heightId);
+    float const most = ImGui::GetIO().DisplaySize.y - scaled(2 * cardGap + bottomRow + look.below) -
+                       ImGui::GetStyle().WindowPadding.y - ImGui::GetCursorPosY();
+    bool const scrolls = height > most;
+    if (scrolls) {
+        ImGui::PushStyleColor(ImGuiCol_ChildBg, ImVec4(0, 0, 0, 0));
+        ImGui::BeginChild("content", {0, most});
+    }
+    float const top = ImGui::GetCursorPosY();
     if (!look.brief && !story.empty()) {
         caption(story.c_str());
         rule();

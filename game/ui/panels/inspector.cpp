@@ -5,6 +5,7 @@
 #include "render/draw/palette.hpp"
 #include "render/panels/buttons.hpp"
 #include "render/panels/theme.hpp"
+#include "render/panels/unbroken.hpp"
 
 #include <algorithm>
 
@@ -30,7 +31,7 @@ void drawRow(InspectorRow const& row) {
     }
     ImGui::TableNextColumn();
     bool const apart = !row.unit.empty() && !row.unit.starts_with("°");
-    ImGui::TextWrapped("%s%s%s", row.value.c_str(), apart ? " " : "", row.unit.c_str());
+    ImGui::TextWrapped("%s", unbroken(row.value + (apart ? " " : "") + row.unit).c_str());
 }
 
 void drawSection(InspectorSection const& section, bool first) {

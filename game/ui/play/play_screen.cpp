@@ -1,6 +1,5 @@
 #include "game/ui/play/play_screen.hpp"
 
-#include "game/ui/cards/play_cards.hpp"
 #include "game/ui/commands/carry_out_keys.hpp"
 #include "game/ui/play/all_cards.hpp"
 #include "game/ui/play/commands/play_commands.hpp"
@@ -9,7 +8,6 @@
 #include "game/ui/play/whatif/what_if_card.hpp"
 #include "game/ui/shared/texts.hpp"
 #include "game/ui/shared/words.hpp"
-#include "game/ui/tools/free_fit.hpp"
 #include "render/window/gamepad.hpp"
 
 #include <imgui.h>
@@ -60,74 +58,12 @@ std::span<Gesture const> PlayScreen::gestures() const {
     return playGestures();
 }
 
-void PlayScreen::setView() {
-    auto const scale = static_cast<double>(parts_.context.window.uiScale());
-    LevelFile const& level = parts_.session.level();
-    bool const boxed = !level.toolbox.empty() || level.wires > 0;
-    double const right = boxed ? toolboxWidth + 2 * cardGap : cardGap;
-    // Beside an open panel, too, the whole machine is seen, unless there is hardly any room.
-    auto const card = parts_.context.layout.card(parts_.components.open() ? "components" : "mods");
-    double const panel = card ? card->high.x / scale + cardGap : 0;
-    double const rest = parts_.context.window.size().width / scale - panel - right;
-    double const left = panel > 0 && rest > 300 ? panel : goalCardWidth + 2 * cardGap;
-    double const below = bottomRow + static_cast<double>(parts_.timeline.height()) + 6;
-    Margins const margins{scale * left, scale * cardGap, scale * right, scale * below};
-    parts_.view.setView(parts_.context.window.size(), margins);
-    bool const busy = parts_.placing.carried() || parts_.group.dragging();
-    if ((parts_.run.building() && !busy) || fittedTimeline_ != parts_.timeline.height()) {
-        fitAroundCards();
-    }
-}
-
-void PlayScreen::fitAroundCards() {
-    constexpr std::array names{"goal", "toolbox", "transport", "tools", "corner"};
-    auto const scale = static_cast<double>(parts_.context.window.uiScale());
-    render::Size const window = parts_.context.window.size();
-    if (!(window == fittedWindow_) || scale != fittedScale_) {
-        cards_ = {};
-        fittedWindow_ = window;
-        fittedScale_ = scale;
-    }
-    bool changed = std::exchange(fittedTimeline_, parts_.timeline.height()) != parts_.timeline.height();
-    for (std::size_t i = 0; i < names.size(); ++i) {
-        auto const card = parts_.context.layout.card(names[i]);
-        if (!card) {
-            continue;
-        }
-        // A card that changes its size from picture to picture must not move the view each time.
-        Rect now = cards_[i].value_or(*card);
-        now = {{std::min(now.low.x, card->low.x), std::min(now.low.y, card->low.y)},
-               {std::max(now.high.x, card->high.x), std::max(now.high.y, card->high.y)}};
-        changed = changed || !cards_[i] || !(now.low == cards_[i]->low) || !(now.high == cards_[i]->high);
-        cards_[i] = now;
-    }
-    if (!changed) {
-        return;
-    }
-    std::vector<Rect> obstacles;
-    for (auto const& card : cards_) {
-        if (card) {
-            render::Point const gap{6 * scale, 6 * scale};
-            obstacles.push_back({card->low - gap, card->high + gap});
-        }
-    }
-    if (fittedTimeline_ > 0) { // also while it is not drawn yet, so that nothing moves when a run begins
-        double const top = window.height - scale * (bottomRow + static_cast<double>(fittedTimeline_) + 6);
-        obstacles.push_back(
-            {{0, top}, {static_cast<double>(window.width), static_cast<double>(window.height)}});
-    }
-    double const least = parts_.view.scaleBetweenMargins();
-    parts_.view.setPreferred(freeFit(window, parts_.extents(), obstacles,
-                                     scale * static_cast<double>(cardGap), least,
-                                     render::Camera::largestScale));
-}
-
 std::optional<ScreenRequest> PlayScreen::update(double seconds) {
     UiContext& context = parts_.context;
     parts_.request.reset();
     parts_.passMods(seconds);
     parts_.run.beginPicture(isHeld(context.input, context.keys, "fast"));
-    setView();
+    fittedView_.follow(parts_, true);
     Pointer const mouse = reader_.read(context, parts_.camera(),
                                        parts_.placing.carried().has_value() || parts_.group.dragging() ||
                                            parts_.hand.busy() || parts_.secondHand.busy());
@@ -245,7 +181,7 @@ void PlayScreen::tellOfSlowness() {
 
 void PlayScreen::updateBehindMenu(double seconds) {
     parts_.keepBuild(seconds);
-    setView();
+    fittedView_.follow(parts_, false);
     parts_.run.beginPicture(false);
     parts_.placing.cancel();
     parts_.whatIfTool->giveCardKeys(false);

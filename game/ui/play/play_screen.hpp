@@ -3,9 +3,9 @@
 
 #include "game/ui/play/mouse/pointer_reader.hpp"
 #include "game/ui/play/play_parts.hpp"
+#include "game/ui/play/view/fitted_view.hpp"
 #include "game/ui/shared/screen.hpp"
 
-#include <array>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -65,12 +65,9 @@ public:
     [[nodiscard]] std::optional<Vec2> handle();
 
 private:
-    void setView();
     void useSecondPlayer(double seconds);
     /// While the card of a what-if has the keyboard.
     void handleKeysBesideCard();
-    /// Looks for a larger view when cards have come, or have another size.
-    void fitAroundCards();
     /// Of a key that means nothing now: `command`, or none.
     void tellOfRefused(std::optional<std::size_t> command);
     /// Once for each speed that the computer cannot keep.
@@ -79,14 +76,11 @@ private:
     PlayParts parts_;
     CommandsOf<PlayParts> commands_;
     PointerReader reader_;
-    std::array<std::optional<Rect>, 5> cards_; // that the view shows everything beside
-    render::Size fittedWindow_;                // of which cards_ are
-    double fittedScale_ = 0;                   // of the interface
-    float fittedTimeline_ = 0;                 // its height then, pixels at UI scale 1
-    bool fastRefused_ = false;                 // the key for fast motion is held while building
-    bool dropDownWasOpen_ = false;             // on that card, in the last picture
-    double sinceStep_ = 0;                     // s, of the world
-    double toldOfSlownessAt_ = 0;              // the last such speed
+    FittedView fittedView_;
+    bool fastRefused_ = false;     // the key for fast motion is held while building
+    bool dropDownWasOpen_ = false; // on that card, in the last picture
+    double sinceStep_ = 0;         // s, of the world
+    double toldOfSlownessAt_ = 0;  // the last such speed
 };
 
 } // namespace trembler::ui

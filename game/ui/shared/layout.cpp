@@ -29,6 +29,7 @@ void Layout::beginFrame() {
 
 void Layout::beginCard(char const* name, char const* title, render::CardOptions const& options) {
     open_ = name;
+    bare_ = options.bare;
     render::beginCard(name, title, options);
 }
 
@@ -38,9 +39,10 @@ void Layout::endCard() {
     bool const known =
         window.AutoFitFramesX <= 0 && window.AutoFitFramesY <= 0 && window.HiddenFramesCannotSkipItems == 0;
     if (known) {
-        ImVec2 const low = window.Pos;
-        nextCards_.push_back(
-            {open_, rectOf(low, {low.x + window.Size.x, low.y + window.Size.y}), overflowOf(window)});
+        ImVec2 const edge = bare_ ? window.WindowPadding : ImVec2(0, 0); // nothing is drawn there
+        ImVec2 const low{window.Pos.x + edge.x, window.Pos.y + edge.y};
+        ImVec2 const high{window.Pos.x + window.Size.x - edge.x, window.Pos.y + window.Size.y - edge.y};
+        nextCards_.push_back({open_, rectOf(low, high), overflowOf(window)});
     }
     render::endCard();
 }

@@ -36,7 +36,7 @@ struct Placed {
 class Layout {
 public:
     void beginFrame();
-    /// Calls render::beginCard and records the card's position.
+    /// Calls render::beginCard and records the card's position: of a bare card, that of its content.
     void beginCard(char const* name, char const* title, render::CardOptions const& options = {});
     void endCard();
     /// Records the last ImGui item under this name.
@@ -54,6 +54,7 @@ private:
     static std::optional<Rect> find(std::vector<Placed> const& all, std::string_view name);
 
     std::string open_;
+    bool bare_ = false;
     std::vector<Placed> cards_;
     std::vector<Placed> items_;
     std::vector<Placed> nextCards_;

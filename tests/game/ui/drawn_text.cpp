@@ -205,12 +205,24 @@ bool breaksANumber(DrawnText const& first, DrawnText const& second) {
     bool const next = first.window == second.window && first.line == second.line &&
                       std::abs(second.top - first.top - first.line) < 2 &&
                       second.rect.low.x < first.rect.high.x && second.rect.high.x > first.rect.low.x;
-    if (!next || first.text.empty() || !isDigit(first.text.back())) {
+    if (!next || first.text.empty() || second.text.empty()) {
         return false;
     }
-    constexpr std::array<std::string_view, 27> units{"m",  "cm", "mm", "km", "s",  "ms", "µs", "N",  "kN",
-                                                     "kg", "g",  "A",  "mA", "V",  "W",  "kW", "Hz", "Ω",
-                                                     "°",  "%",  "T",  "mT", "Pa", "J",  "K",  "L",  "dB"};
+    // "0 of | 5": a count is one number.
+    for (std::string_view const of : {" of", " von"}) {
+        std::size_t const length = first.text.size();
+        if (first.text.ends_with(of) && length > of.size() && isDigit(first.text[length - of.size() - 1])) {
+            return isDigit(second.text.front());
+        }
+    }
+    if (!isDigit(first.text.back())) {
+        return false;
+    }
+    constexpr std::array<std::string_view, 43> units{
+        "m",    "cm",    "mm",   "km",    "s",      "ms",     "µs",      "N",       "kN",       "kg",  "g",
+        "A",    "mA",    "V",    "W",     "kW",     "Hz",     "Ω",       "°",       "%",        "T",   "mT",
+        "Pa",   "J",     "K",    "L",     "dB",     "second", "seconds", "Sekunde", "Sekunden", "of",  "von",
+        "part", "parts", "Teil", "Teile", "Teilen", "metres", "Meter",   "degrees", "times",    "Grad"};
     std::string const word = second.text.substr(0, second.text.find_first_of(" .,;:)/"));
     return isDigit(second.text.front()) || std::find(units.begin(), units.end(), word) != units.end();
 }

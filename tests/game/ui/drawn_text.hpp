@@ -25,8 +25,8 @@ struct DrawnText {
 /// the next picture.
 [[nodiscard]] std::vector<DrawnText> drawnTexts();
 
-/// Whether `second` continues `first` on the next line and a number is separated there from its digits or its
-/// unit.
+/// Whether `second` continues `first` on the next line and a number is separated there from its digits, its
+/// unit ("4 | seconds") or its other part ("0 | of 5").
 [[nodiscard]] bool breaksANumber(DrawnText const& first, DrawnText const& second);
 
 } // namespace trembler::ui::test

@@ -5,6 +5,7 @@
 #include "render/draw/palette.hpp"
 #include "render/panels/buttons.hpp"
 #include "render/panels/theme.hpp"
+#include "render/panels/unbroken.hpp"
 
 #include <algorithm>
 #include <array>
@@ -62,18 +63,6 @@ std::string listed(std::vector<std::size_t> const& steps) {
         numbers += (numbers.empty() ? "" : ", ") + std::to_string(step + 1);
     }
     return numbers;
-}
-
-/// A number stays in a line with its unit, and the two parts of a newton metre with each other.
-std::string unbroken(std::string const& words) {
-    std::string made;
-    for (std::size_t i = 0; i < words.size(); ++i) {
-        bool const between = i > 0 && words[i] == ' ' &&
-                             ((words[i - 1] >= '0' && words[i - 1] <= '9') ||
-                              (i > 1 && words.compare(i - 2, 5, " N m ") == 0));
-        made += between ? std::string("\u00A0") : std::string(1, words[i]);
-    }
-    return made;
 }
 
 Row rowOf(insight::Answer const& answer, std::size_t step, std::string const& words) {

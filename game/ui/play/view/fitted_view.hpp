@@ -1,0 +1,48 @@
+// The view of a level shows the whole of it beside the cards, until the player moves it by hand.
+#pragma once
+
+#include "game/ui/shared/layout.hpp"
+#include "render/scene/facts/shape_geometry.hpp"
+
+#include <array>
+#include <optional>
+#include <vector>
+
+namespace trembler::ui {
+
+struct PlayParts;
+
+/// Two kinds of cards are kept clear. Those that always stand around the level (goal, toolbox, buttons) count
+/// as they were while the player built, so that the view does not move when a run begins. Those that the
+/// player opens and closes (components, mods, inspector, why) count while they are open, also in a run, over
+/// their whole column down to the buttons, so that the view moves once and not with each line in them. In a
+/// window without room for the level beside such a card, the card lies over it: see worthwhile in the source
+/// file. Window thread only.
+class FittedView {
+public:
+    /// Once for each picture, before its cards are drawn. `cards`: the last picture had them.
+    void follow(PlayParts& parts, bool cards);
+
+private:
+    using Cards = std::vector<Rect>;
+
+    /// Return whether anything changed.
+    bool lookAtWindow(PlayParts const& parts);
+    bool lookAtStanding(PlayParts const& parts);
+    bool lookAtOpened(PlayParts const& parts);
+    /// Returns whether the level has room between the cards at the sides.
+    bool setMargins(PlayParts& parts) const;
+    void fit(PlayParts& parts, bool room) const;
+    [[nodiscard]] Cards obstacles(bool withOpened) const;
+
+    std::array<std::optional<Rect>, 5> standing_;
+    std::array<std::optional<Rect>, 2> opened_; ///< at the left, at the right
+    std::array<int, 2> missing_{};              ///< pictures since there was a card there
+    render::Size window_;                       ///< of which the cards are
+    double scale_ = 0;                          ///< of the interface
+    float timeline_ = 0;                        ///< its height, pixels at UI scale 1
+    std::vector<render::Extent> extents_;       ///< of what is to be seen
+    bool wasBuilding_ = true;
+};
+
+} // namespace trembler::ui

@@ -1,0 +1,170 @@
+// Cards that are opened beside a level do not cover it: the view shows the whole level beside them.
+#include "physics/dynamics/properties/body.hpp"
+#include "render/scene/facts/facts.hpp"
+#include "render/scene/facts/pick.hpp"
+#include "tests/game/ui/player.hpp"
+
+#include <array>
+#include <string>
+
+namespace trembler::ui::test {
+namespace fitted_view_test {
+namespace {
+
+auto const firstContact = levelsFolder() / "first/1-first-contact.json";
+
+std::filesystem::path const& anyLevel(std::size_t i) {
+    static std::array const levels{
+        firstContact,
+        levelsFolder() / "experiments/1-switched-electromagnet.json",
+        levelsFolder() / "experiments/3-electric-motor.json",
+        levelsFolder() / "2-electricity/1-both-gaps.json",
+        levelsFolder() / "5-everything/1-the-laboratory-door.json",
+        levelsFolder() / "5-everything/2-the-gate.json",
+    };
+    return levels.at(i);
+}
+constexpr std::size_t levelCount = 6;
+
+/// Names of the objects that lie under this card with what matters of them: of a floor without end, what is
+/// near the others.
+std::string objectsUnder(Player& player, char const* card) {
+    auto const rect = player.layout().card(card);
+    EXPECT_TRUE(rect) << card << " is not shown";
+    World const& world = player.session().world();
+    render::Extent const focus = render::sceneFocus(world);
+    std::string names;
+    for (render::Facts const& facts : render::FactsReader(world).drawOrder()) {
+        render::Extent const own = render::extentOf(facts, render::poseOf(facts));
+        if (!rect || own.empty() || !own.overlaps(focus)) {
+            continue;
+        }
+        render::Camera const& camera = player.play().camera();
+        Point const a =
+            camera.toScreen({std::max(own.lower.x, focus.lower.x), std::min(own.upper.y, focus.upper.y)});
+        Point const b =
+            camera.toScreen({std::min(own.upper.x, focus.upper.x), std::max(own.lower.y, focus.lower.y)});
+        if (rect->overlaps({a, b})) {
+            names += world.store().nameOf(facts.id) + ", ";
+        }
+    }
+    return names;
+}
+
+void expectUncovered(Player& player, char const* card) {
+    player.frames(10);
+    EXPECT_EQ(objectsUnder(player, card), "") << "under " << card << " in " << player.play().file();
+}
+
+void inspectAnything(Player& player) {
+    World const& world = player.session().world();
+    for (render::Facts const& facts : render::FactsReader(world).drawOrder()) {
+        render::Point const middle = render::poseOf(facts).at;
+        Vec2 const at{middle.x, middle.y};
+        if (player.layout().cardAt(player.at(at)).empty()) {
+            player.click(player.at(at));
+            player.frames(2);
+        }
+        if (player.showsCard("inspector")) {
+            return;
+        }
+    }
+    FAIL() << "nothing can be inspected";
+}
+
+TEST(FittedView, NothingLiesUnderComponentsOrInspector) {
+    for (std::size_t i = 0; i < levelCount; ++i) {
+        Player player;
+        player.open(anyLevel(i));
+        player.frames(10);
+        render::Camera const before = player.play().camera();
+        player.key(SDLK_c);
+        expectUncovered(player, "components");
+        player.key(SDLK_c);
+        player.frames(10);
+        EXPECT_EQ(player.play().camera().pixelsPerMetre, before.pixelsPerMetre) << "it is as it was";
+        EXPECT_EQ(player.play().camera().centre, before.centre);
+        inspectAnything(player);
+        expectUncovered(player, "inspector");
+        player.key(SDLK_c);
+        expectUncovered(player, "components");
+        expectUncovered(player, "inspector");
+    }
+}
+
+TEST(FittedView, NothingLiesUnderThemInARun) {
+    for (std::size_t i = 0; i < levelCount; ++i) {
+        Player player;
+        player.open(anyLevel(i));
+        player.frames(10);
+        render::Camera const before = player.play().camera();
+        player.key(SDLK_SPACE);
+        player.simulate(16);
+        player.key(SDLK_p);
+        EXPECT_EQ(player.play().camera().centre, before.centre) << "a run does not move the view";
+        player.key(SDLK_c);
+        expectUncovered(player, "components");
+        player.key(SDLK_c);
+        player.key(SDLK_y, KMOD_LSHIFT);
+        player.play().why().wait();
+        expectUncovered(player, "why");
+    }
+}
+
+TEST(FittedView, NothingLiesUnderMods) {
+    Player player;
+    player.open(dataFolder() / "breeze.json");
+    player.key(SDLK_m);
+    expectUncovered(player, "mods");
+}
+
+TEST(FittedView, StaysWhereThePlayerHasMovedIt) {
+    Player player;
+    player.open(firstContact);
+    player.frames(10);
+    player.moveTo(player.at({0, 1.6}));
+    player.wheel(2);
+    player.frames(4);
+    render::Camera const moved = player.play().camera();
+    player.key(SDLK_c);
+    player.frames(10);
+    EXPECT_EQ(player.play().camera().centre, moved.centre);
+    EXPECT_EQ(player.play().camera().pixelsPerMetre, moved.pixelsPerMetre);
+    player.clickItem("fit");
+    expectUncovered(player, "components");
+}
+
+TEST(FittedView, DoesNotMoveWhatThePlayerHolds) {
+    Player player;
+    player.open(firstContact);
+    player.key(SDLK_SPACE);
+    player.simulate(16);
+    World const& world = player.session().world();
+    Vec2 const ball = world.find<Position>(world.store().find("iron ball"))->value;
+    player.moveTo(player.at(ball));
+    player.press();
+    player.frames(4);
+    Point const centre = player.play().camera().centre;
+    player.key(SDLK_c);
+    player.frames(10);
+    EXPECT_EQ(player.play().camera().centre, centre);
+    player.release();
+    expectUncovered(player, "components");
+}
+
+// In a small window the card takes the place of the level: the view stays as it was without the card, instead
+// of showing a level that is too small to be recognised.
+TEST(FittedView, IsCoveredWhereThereIsNoRoomBeside) {
+    Player player({800, 600});
+    player.open(anyLevel(1));
+    player.frames(10);
+    render::Camera const before = player.play().camera();
+    player.key(SDLK_c);
+    player.frames(10);
+    ASSERT_TRUE(player.showsCard("components"));
+    EXPECT_GE(player.play().camera().pixelsPerMetre, 0.5 * before.pixelsPerMetre);
+}
+
+} // namespace
+} // namespace fitted_view_test
+} // namespace trembler::ui::test
