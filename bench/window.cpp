@@ -9,8 +9,6 @@
 // the page docs/measurements/window.md.
 #include "audio/effect/properties/sounds.hpp"
 #include "bench/window/clocks.hpp"
-#include "game/app/mods/mods.hpp"
-#include "game/app/options/level_paths.hpp"
 #include "game/ui/app/game_loop.hpp"
 #include "game/ui/play/play_screen.hpp"
 #include "lua/mods/mod.hpp"
@@ -21,8 +19,10 @@
 #include <epoxy/gl.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <memory>
 #include <spawn.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -40,7 +40,7 @@ constexpr std::size_t framesOfLevel = 600; // at most
 constexpr std::size_t drawnEvery = 4;      // frames
 
 struct Arguments {
-    std::vector<std::string> levels;
+    std::vector<fs::path> levels;
     int runs = 3;
     double rest = 3; // s
     bool markdown = false;
@@ -59,16 +59,37 @@ struct RestCost {
     std::uint64_t drawn = 0;
 };
 
+/// All that the game knows, with the mods that the level names.
+std::shared_ptr<GameData const> dataFor(fs::path const& level) {
+    Problems problems;
+    auto mods = lua::findMods(lua::modsNamedBy(level), lua::modFolders({}, level, homeFolder()),
+                              level.string(), problems);
+    problems.throwIfAny();
+    return std::make_shared<GameData const>(std::move(mods));
+}
+
 ui::GameOptions optionsOf(GameData const& data) {
     return {.levels = data.home / "levels",
             .profile = {},
             .world = {},
             .steady = true,
             .levelData = [](fs::path const& level) {
-                return lua::modsNamedBy(level).empty()
-                           ? nullptr
-                           : std::shared_ptr<GameData const>(gameDataFor(level, {}));
+                return lua::modsNamedBy(level).empty() ? nullptr : dataFor(level);
             }};
+}
+
+/// The game's levels, then those of the mods that come with it.
+std::vector<fs::path> allLevels(GameData const& data) {
+    std::vector<fs::path> levels = data.levels();
+    for (fs::path const& mod : lua::listMods(std::vector{data.home / "mods"})) {
+        std::vector<fs::path> ofMod;
+        for (auto const& file : fs::directory_iterator(mod / "levels")) {
+            ofMod.push_back(file.path());
+        }
+        std::sort(ofMod.begin(), ofMod.end());
+        levels.insert(levels.end(), ofMod.begin(), ofMod.end());
+    }
+    return levels;
 }
 
 std::size_t framesOf(LevelFile const& level) {
@@ -133,9 +154,9 @@ std::vector<LevelCost> measureLevels(GameData const& data, Arguments const& argu
     WithoutCard const withoutCard;
     ui::GameApp app(window, data.registry, data.parts, optionsOf(data));
     std::vector<LevelCost> all;
-    for (fs::path const& file : levelsNamed(data, arguments.levels)) {
+    for (fs::path const& file : arguments.levels.empty() ? allLevels(data) : arguments.levels) {
         LevelCost cost{fs::path(data.shortName(file)).replace_extension().string(), {}, {}};
-        auto const own = gameDataFor(file, {}); // with the mods that the level names
+        auto const own = dataFor(file);
         LevelFile const level = loadLevel(own->registry, file);
         for (int run = 0; run < arguments.runs; ++run) {
             simulate(*own, level, cost);
