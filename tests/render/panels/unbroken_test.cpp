@@ -22,7 +22,7 @@ std::string marked(std::string_view text) {
 TEST(Unbroken, KeepsANumberWithItsUnitAndItsOtherPart) {
     EXPECT_EQ(marked("Keep the lamp lit for 4 seconds"), "Keep the lamp lit for 4_seconds");
     EXPECT_EQ(marked("Ring the bell (0 of 5)"), "Ring the bell (0_of_5)");
-    EXPECT_EQ(marked("Teil 3 von 12 ist gelegt"), "Teil 3_von_12 ist gelegt");
+    EXPECT_EQ(marked("Teil 3 von 12, wie gelegt"), "Teil 3_von_12, wie gelegt");
     EXPECT_EQ(marked("turned by 0.3 N m in all"), "turned by 0.3_N_m in all");
     EXPECT_EQ(marked("turned by 0.3 N m."), "turned by 0.3_N_m.");
     EXPECT_EQ(marked("pulled by 3 N more than before"), "pulled by 3_N more than before");

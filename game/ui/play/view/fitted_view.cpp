@@ -11,6 +11,7 @@ namespace trembler::ui {
 namespace {
 
 constexpr std::array standingCards{"goal", "toolbox", "transport", "tools", "corner"};
+constexpr std::size_t toolboxIndex = 1;
 /// Cards of one entry take each other's place.
 constexpr std::array<std::array<char const*, 2>, 2> openedCards{
     {{"components", "mods"}, {"inspector", "why"}}};
@@ -54,6 +55,10 @@ void FittedView::follow(PlayParts& parts, bool cards) {
     bool const turned = std::exchange(wasBuilding_, building) != building;
     if (extents_.empty() || (changed && building) || turned) {
         extents_ = parts.extents();
+    }
+    changed = changed || (turned && building && !toolbox_);
+    if (changed) { // and not where a run begins, so that this does not move the view
+        toolbox_ = building || (!opened_[0] && !opened_[1]);
     }
     bool const room = setMargins(parts);
     if (changed) {
@@ -111,7 +116,7 @@ bool FittedView::lookAtOpened(PlayParts const& parts) {
 bool FittedView::setMargins(PlayParts& parts) const {
     auto const gap = static_cast<double>(cardGap);
     LevelFile const& level = parts.session.level();
-    bool const boxed = !level.toolbox.empty() || level.wires > 0;
+    bool const boxed = toolbox_ && (!level.toolbox.empty() || level.wires > 0);
     double const width = window_.width / scale_;
     double left = static_cast<double>(goalCardWidth) + 2 * gap;
     double right = boxed ? static_cast<double>(toolboxWidth) + 2 * gap : gap;
@@ -135,7 +140,9 @@ FittedView::Cards FittedView::obstacles(bool withOpened) const {
             all.push_back({card->low - clear, card->high + clear});
         }
     };
-    std::for_each(standing_.begin(), standing_.end(), add);
+    for (std::size_t i = 0; i < standing_.size(); ++i) {
+        add(i == toolboxIndex && !toolbox_ ? std::nullopt : standing_[i]);
+    }
     if (withOpened) {
         std::for_each(opened_.begin(), opened_.end(), add);
     }

@@ -42,6 +42,7 @@ private:
     double scale_ = 0;                          ///< of the interface
     float timeline_ = 0;                        ///< its height, pixels at UI scale 1
     std::vector<render::Extent> extents_;       ///< of what is to be seen
+    bool toolbox_ = true; ///< it counts: not beside a card that was opened in a run, which hides it
     bool wasBuilding_ = true;
 };
 

@@ -4,6 +4,7 @@
 #include "game/ui/app/title_screen.hpp"
 #include "game/ui/shared/texts.hpp"
 #include "tests/game/ui/drawn_words.hpp"
+#include "tests/game/ui/readable.hpp"
 #include "tests/game/ui/tidy.hpp"
 
 #include <nlohmann/json.hpp>
@@ -112,10 +113,11 @@ protected:
         static std::set<std::string> const english = englishWords();
         static std::set<std::string> const allowed = wordsOfData();
         player.frames(12);
-        if (player.findPlay() == nullptr || GetParam().width > 1000) {
-            expectTidy(player, screen); // in a smaller run the rows of buttons overlap in any language
-        }
-        player.look("german-" + screen + "-" + std::to_string(GetParam().height));
+        std::string const size = std::to_string(GetParam().height);
+        expectTidy(player, screen + " " + size);
+        expectReadable(screen + " " + size);
+        expectWordsFit(player, screen + " " + size);
+        player.look("german-" + screen + "-" + size);
         std::vector<std::string> const lines = DrawnWords().lines();
         EXPECT_GT(lines.size(), 2U) << "nothing was read from " << screen;
         for (std::string const& line : lines) {

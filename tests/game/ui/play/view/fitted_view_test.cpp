@@ -51,6 +51,12 @@ std::string objectsUnder(Player& player, char const* card) {
     return names;
 }
 
+/// Pixels on the screen.
+Point sizeOfLevel(Player& player) {
+    render::Extent const focus = render::sceneFocus(player.session().world());
+    return 2 * player.play().camera().pixelsPerMetre * focus.half();
+}
+
 void expectUncovered(Player& player, char const* card) {
     player.frames(10);
     EXPECT_EQ(objectsUnder(player, card), "") << "under " << card << " in " << player.play().file();
@@ -104,7 +110,21 @@ TEST(FittedView, NothingLiesUnderThemInARun) {
         EXPECT_EQ(player.play().camera().centre, before.centre) << "a run does not move the view";
         player.key(SDLK_c);
         expectUncovered(player, "components");
+        Point const level = sizeOfLevel(player);
+        EXPECT_TRUE(level.x > 400 || level.y > 400) << level.x << " x " << level.y << " pixels in "
+                                                    << player.play().file() << ": the toolbox is not there";
+        player.key(SDLK_SPACE);
+        expectUncovered(player, "components");
+        if (player.showsCard("toolbox")) {
+            expectUncovered(player, "toolbox");
+        }
+        player.key(SDLK_SPACE);
+        player.simulate(16);
+        player.key(SDLK_p);
+        expectUncovered(player, "components");
         player.key(SDLK_c);
+        player.frames(10);
+        EXPECT_EQ(player.play().camera().centre, before.centre) << "it is as it was";
         player.key(SDLK_y, KMOD_LSHIFT);
         player.play().why().wait();
         expectUncovered(player, "why");
