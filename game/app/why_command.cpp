@@ -132,18 +132,19 @@ int answerWhy(WhyArguments const& arguments) {
     progress.clear();
     reportScriptMessages(*data);
 
-    insight::Tongue const tongue = english ? insight::Tongue() : insight::Tongue(catalogue);
+    insight::AnswerLanguage const language =
+        english ? insight::AnswerLanguage() : insight::AnswerLanguage(catalogue);
     std::string const goal =
         answer.goal.empty() ? std::string() : goalText(level, *data, answer.goal, catalogue, english);
     if (json != nullptr) {
-        nlohmann::ordered_json const made = toJson(answer, askedIn(arguments, answer), goal, tongue);
+        nlohmann::ordered_json const made = toJson(answer, askedIn(arguments, answer), goal, language);
         json->stream() << escapedJson(
                               made.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace))
                        << "\n";
     }
     outputs.finish();
     if (json == nullptr || !json->isStandardOutput()) {
-        for (std::string const& sentence : sentencesOf(answer, goal, tongue)) {
+        for (std::string const& sentence : sentencesOf(answer, goal, language)) {
             outputs.words() << visible(sentence) << "\n";
         }
         outputs.words() << fmt::format("({} in {} run{})\n",

@@ -30,13 +30,13 @@ std::uint64_t versionOf(Store const& store) {
 }
 
 /// A conductor with a shape, as it lies.
-struct Lying {
+struct PlacedConductor {
     PlacedShape placed;
     Vec2 lower; ///< m, of the upright rectangle around it
     Vec2 upper;
 };
 
-std::optional<Lying> lyingOf(Store const& store, ObjectId id) {
+std::optional<PlacedConductor> placedConductorOf(Store const& store, ObjectId id) {
     Shape const* const shape = entryOf<Shape>(store, id);
     Position const* const position = entryOf<Position>(store, id);
     if (shape == nullptr || position == nullptr || shape->pieces.empty()) {
@@ -45,11 +45,11 @@ std::optional<Lying> lyingOf(Store const& store, ObjectId id) {
     Rotation const* const rotation = entryOf<Rotation>(store, id);
     PlacedShape const placed{*shape, position->value, rotation == nullptr ? 0 : rotation->angle};
     auto const [lower, upper] = extentOf(placed);
-    return Lying{placed, lower, upper};
+    return PlacedConductor{placed, lower, upper};
 }
 
 /// No more than the distance of the two.
-double leastDistance(Lying const& a, Lying const& b) {
+double leastDistance(PlacedConductor const& a, PlacedConductor const& b) {
     double const x = std::max({0.0, a.lower.x - b.upper.x, b.lower.x - a.upper.x});
     double const y = std::max({0.0, a.lower.y - b.upper.y, b.lower.y - a.upper.y});
     return std::hypot(x, y);
@@ -87,10 +87,10 @@ void CircuitSight::look(World const& world) {
     if (auto const* const column = store.findColumn<Conductor>()) {
         conductors_.assign(column->owners().begin(), column->owners().end());
     }
-    std::vector<std::optional<Lying>> lying;
-    lying.reserve(conductors_.size());
+    std::vector<std::optional<PlacedConductor>> placed;
+    placed.reserve(conductors_.size());
     for (ObjectId const id : conductors_) {
-        lying.push_back(lyingOf(store, id));
+        placed.push_back(placedConductorOf(store, id));
     }
     auto const* const connections = store.findColumn<ElectricityGraph>();
     for (std::size_t a = 0; a < conductors_.size(); ++a) {
@@ -103,8 +103,8 @@ void CircuitSight::look(World const& world) {
                                               [&](auto const& connection) { return connection.to == other; });
             if (connected) {
                 links_.push_back({a, b, {.a = conductors_[a], .b = other}});
-            } else if (lying[a] && lying[b] && leastDistance(*lying[a], *lying[b]) <= widest) {
-                ShapeGap const gap = gapBetween(lying[a]->placed, lying[b]->placed);
+            } else if (placed[a] && placed[b] && leastDistance(*placed[a], *placed[b]) <= widest) {
+                ShapeGap const gap = gapBetween(placed[a]->placed, placed[b]->placed);
                 if (gap.width <= widest) {
                     links_.push_back({a,
                                       b,

@@ -14,7 +14,7 @@
 namespace trembler::insight {
 
 /// Something that was seen to happen, in a run that was not traced.
-struct Happening {
+struct SightedEvent {
     std::uint64_t frame = 0;
     std::vector<std::string> objects; ///< that it was about, by name; not empty
     std::vector<StepKind> kinds;      ///< what it may have been
@@ -23,11 +23,11 @@ struct Happening {
 /// What is asked about; exactly one of the four, or none: the first goal that was not met, or else the
 /// solving of the level.
 struct Question {
-    std::optional<std::string> goal{};    ///< by id
-    std::optional<std::uint64_t> event{}; ///< by its number in the trace of the run, as `run --trace` has it
-    std::optional<std::string> object{};  ///< why it is as it is ...
-    double at = 0;                        ///< ... at this time, in s
-    std::optional<Happening> happening{}; ///< the last such event up to then
+    std::optional<std::string> goal{};     ///< by id
+    std::optional<std::uint64_t> event{};  ///< by its number in the trace of the run, as `run --trace` has it
+    std::optional<std::string> object{};   ///< why it is as it is ...
+    double at = 0;                         ///< ... at this time, in s
+    std::optional<SightedEvent> sighted{}; ///< the last such event up to then
 };
 
 /// Nothing that could be told has happened to what was asked about.

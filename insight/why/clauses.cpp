@@ -71,12 +71,12 @@ std::string wholeOf(std::string const& piece, SceneFacts const& facts) {
 
 } // namespace
 
-std::string Tongue::the(std::string const& name) const {
+std::string AnswerLanguage::the(std::string const& name) const {
     return catalogue_ == nullptr ? englishSpeech().the(name).words
                                  : catalogue_->names().definite(name, GermanCase::nominative);
 }
 
-std::string Tongue::mix(std::string_view english, std::vector<Said> const& said) const {
+std::string AnswerLanguage::mix(std::string_view english, std::vector<Said> const& said) const {
     char const* const translation = catalogue_ == nullptr ? nullptr : catalogue_->find(english);
     Catalogue::Pieces const pieces =
         Catalogue::piecesOf(translation == nullptr ? english : std::string_view(translation));
@@ -97,7 +97,7 @@ std::string Tongue::mix(std::string_view english, std::vector<Said> const& said)
     return text;
 }
 
-std::string Tongue::say(std::string_view english, std::vector<std::string> const& names) const {
+std::string AnswerLanguage::say(std::string_view english, std::vector<std::string> const& names) const {
     std::vector<Said> said;
     for (std::string const& name : names) {
         said.push_back({name, true});
@@ -105,7 +105,7 @@ std::string Tongue::say(std::string_view english, std::vector<std::string> const
     return mix(english, said);
 }
 
-std::string Tongue::fill(std::string_view english, std::vector<std::string> const& words) const {
+std::string AnswerLanguage::fill(std::string_view english, std::vector<std::string> const& words) const {
     std::vector<Said> said;
     for (std::string const& word : words) {
         said.push_back({word, false});
@@ -113,7 +113,7 @@ std::string Tongue::fill(std::string_view english, std::vector<std::string> cons
     return mix(english, said);
 }
 
-std::string Tongue::number(double value, int digits) const {
+std::string AnswerLanguage::number(double value, int digits) const {
     std::string text = fmt::format("{:.{}f}", value, digits);
     if (catalogue_ != nullptr) {
         std::replace(text.begin(), text.end(), '.', ',');
@@ -121,24 +121,25 @@ std::string Tongue::number(double value, int digits) const {
     return text;
 }
 
-std::string Tongue::distance(double metres) const {
+std::string AnswerLanguage::distance(double metres) const {
     if (metres < 0.0095) {
         return number(metres * 1000, metres < 0.00095 ? 1 : 0) + " mm";
     }
     return metres < 0.995 ? number(metres * 100, 0) + " cm" : number(metres, 2) + " m";
 }
 
-Clauses clausesOf(Step const& step, SceneFacts const& facts, std::string const& goal, Tongue const& tongue) {
+Clauses clausesOf(Step const& step, SceneFacts const& facts, std::string const& goal,
+                  AnswerLanguage const& language) {
     if (step.kind == StepKind::goal) {
-        return {tongue.fill("the goal “{}” is met", {goal}),
-                tongue.fill("because the goal “{}” is met", {goal})};
+        return {language.fill("the goal “{}” is met", {goal}),
+                language.fill("because the goal “{}” is met", {goal})};
     }
     bool const lamp = !step.objects.empty() && facts.lamps.contains(step.objects.front());
     if (step.kind == StepKind::on && lamp) {
-        return {tongue.say("{} is lit", step.objects), tongue.say("because {} is lit", step.objects)};
+        return {language.say("{} is lit", step.objects), language.say("because {} is lit", step.objects)};
     }
     if (step.kind == StepKind::off && lamp) {
-        return {tongue.say("{} goes out", step.objects), tongue.say("because {} goes out", step.objects)};
+        return {language.say("{} goes out", step.objects), language.say("because {} goes out", step.objects)};
     }
     std::vector<std::string> objects = step.objects;
     if (step.kind == StepKind::placed && !objects.empty()) {
@@ -150,27 +151,27 @@ Clauses clausesOf(Step const& step, SceneFacts const& facts, std::string const& 
     auto const at = std::find_if(kindTexts.begin(), kindTexts.end(),
                                  [&](KindText const& text) { return text.kind == step.kind; });
     if (at != kindTexts.end()) {
-        return {tongue.say(at->main, objects), tongue.say(at->because, objects)};
+        return {language.say(at->main, objects), language.say(at->because, objects)};
     }
     // Tells of the bodies, as a joint need not have a name.
     if (step.what == "joint overloaded" && step.objects.size() > 1) {
         std::vector<std::string> const bodies(step.objects.begin() + 1, step.objects.end());
         if (bodies.size() == 1) {
-            return {tongue.say("the joint of {} is overloaded", bodies),
-                    tongue.say("because the joint of {} is overloaded", bodies)};
+            return {language.say("the joint of {} is overloaded", bodies),
+                    language.say("because the joint of {} is overloaded", bodies)};
         }
-        return {tongue.say("the joint of {} and {} is overloaded", bodies),
-                tongue.say("because the joint of {} and {} is overloaded", bodies)};
+        return {language.say("the joint of {} and {} is overloaded", bodies),
+                language.say("because the joint of {} and {} is overloaded", bodies)};
     }
     auto const known = std::find_if(eventTexts.begin(), eventTexts.end(),
                                     [&](EventText const& text) { return text.event == step.what; });
     if (known != eventTexts.end() && !step.objects.empty()) {
-        return {tongue.say(known->main, step.objects), tongue.say(known->because, step.objects)};
+        return {language.say(known->main, step.objects), language.say(known->because, step.objects)};
     }
     // What a script records has its own words.
-    std::string const whose = objects.empty() ? std::string() : tongue.the(objects.front()) + ": ";
-    std::string const text = whose + tongue.fill(step.what, {});
-    return {text, tongue.fill("because of this: {}", {text})};
+    std::string const whose = objects.empty() ? std::string() : language.the(objects.front()) + ": ";
+    std::string const text = whose + language.fill(step.what, {});
+    return {text, language.fill("because of this: {}", {text})};
 }
 
 } // namespace trembler::insight

@@ -17,11 +17,11 @@ struct Said {
 };
 
 /// A language: English, or that of a catalogue, which must outlive it. Thread-safe.
-class Tongue {
+class AnswerLanguage {
 public:
     /// English.
-    Tongue() = default;
-    explicit Tongue(Catalogue const& catalogue) : catalogue_(&catalogue) {}
+    AnswerLanguage() = default;
+    explicit AnswerLanguage(Catalogue const& catalogue) : catalogue_(&catalogue) {}
 
     /// An English text with what is said for each "{}"; in the translation, "{akk}" and "{dat}" are cases.
     [[nodiscard]] std::string mix(std::string_view english, std::vector<Said> const& said) const;
@@ -47,6 +47,6 @@ struct Clauses {
     std::string because;
 };
 [[nodiscard]] Clauses clausesOf(Step const& step, SceneFacts const& facts, std::string const& goal,
-                                Tongue const& tongue);
+                                AnswerLanguage const& language);
 
 } // namespace trembler::insight

@@ -53,7 +53,7 @@ Event const& eventOf(std::span<Event const> events, std::string const& object, d
 }
 
 /// The last event up to the frame that may be what was seen.
-Event const& eventOf(std::span<Event const> events, Happening const& seen) {
+Event const& eventOf(std::span<Event const> events, SightedEvent const& seen) {
     Event const* found = nullptr;
     for (Event const& event : events) {
         auto const kind = kindOf(event);
@@ -107,8 +107,8 @@ Event const& askedEvent(std::span<Event const> events, Question const& question,
     if (question.event) {
         return eventNumbered(events, *question.event);
     }
-    return question.happening ? eventOf(events, *question.happening)
-                              : eventOf(events, *question.object, question.at, facts, world);
+    return question.sighted ? eventOf(events, *question.sighted)
+                            : eventOf(events, *question.object, question.at, facts, world);
 }
 
 /// Whether nothing that happens later matters to the question.
@@ -116,8 +116,8 @@ bool isDecided(LevelRun const& run, Question const& question) {
     if (question.object) {
         return run.world().time() >= question.at;
     }
-    if (question.happening) {
-        return run.world().frame() >= question.happening->frame;
+    if (question.sighted) {
+        return run.world().frame() >= question.sighted->frame;
     }
     std::vector<GoalStatus> const& goals = run.judge().status();
     return question.goal && std::any_of(goals.begin(), goals.end(), [&](GoalStatus const& goal) {
@@ -148,7 +148,7 @@ Target findTarget(LevelRuns const& runs, Solution const& solution, Question cons
                   AskOptions const& options, Answer& answer) {
     Target target;
     std::unique_ptr<MissMeter> meter;
-    bool const aboutGoal = !question.event && !question.object && !question.happening;
+    bool const aboutGoal = !question.event && !question.object && !question.sighted;
     bool stopped = false;
     std::optional<std::string> nothing;
     std::string fault;

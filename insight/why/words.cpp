@@ -21,14 +21,14 @@ std::string capitalised(std::string text) {
 
 /// Makes the sentences of a chain: from the end back, a sentence for each step with its causes, which go on
 /// in the same sentence as long as there is only one.
-class Teller {
+class ChainSentences {
 public:
-    Teller(Answer const& answer, std::string const& goal, Tongue const& tongue)
-        : answer_(answer), goal_(goal), tongue_(tongue), told_(answer.chain.size()) {}
+    ChainSentences(Answer const& answer, std::string const& goal, AnswerLanguage const& language)
+        : answer_(answer), goal_(goal), language_(language), written_(answer.chain.size()) {}
 
     [[nodiscard]] std::vector<std::string> sentences() {
         if (!answer_.chain.empty()) {
-            tell(answer_.chain.size() - 1);
+            addSentence(answer_.chain.size() - 1);
         }
         return std::move(sentences_);
     }
@@ -38,13 +38,13 @@ private:
     static constexpr int longest = 4;
 
     [[nodiscard]] Clauses clauses(std::size_t step) const {
-        return clausesOf(answer_.chain[step].step, answer_.facts, goal_, tongue_);
+        return clausesOf(answer_.chain[step].step, answer_.facts, goal_, language_);
     }
-    void tell(std::size_t step) {
-        if (told_[step]) {
+    void addSentence(std::size_t step) {
+        if (written_[step]) {
             return;
         }
-        told_[step] = true;
+        written_[step] = true;
         std::string text = capitalised(clauses(step).main);
         std::vector<std::size_t> next = answer_.chain[step].step.because;
         if (next.empty() && !sentences_.empty()) {
@@ -55,14 +55,14 @@ private:
             for (std::size_t const cause : next) {
                 causes.push_back(clauses(cause).because);
             }
-            text += ", " + fmt::format("{}", fmt::join(causes, " " + tongue_.fill("and", {}) + " "));
-            if (next.size() > 1 || said == longest || told_[next.front()]) {
+            text += ", " + fmt::format("{}", fmt::join(causes, " " + language_.fill("and", {}) + " "));
+            if (next.size() > 1 || said == longest || written_[next.front()]) {
                 break;
             }
             std::size_t const only = next.front();
             std::vector<std::size_t> const further = answer_.chain[only].step.because;
             if (!further.empty()) {
-                told_[only] = true;
+                written_[only] = true;
             }
             if (further.empty()) {
                 next.clear();
@@ -73,35 +73,35 @@ private:
         sentences_.push_back(text + ".");
         std::sort(next.rbegin(), next.rend());
         for (std::size_t const cause : next) {
-            tell(cause);
+            addSentence(cause);
         }
     }
 
     Answer const& answer_;
     std::string const& goal_;
-    Tongue const& tongue_;
-    std::vector<bool> told_;
+    AnswerLanguage const& language_;
+    std::vector<bool> written_;
     std::vector<std::string> sentences_;
 };
 
-std::string secondsOf(std::uint64_t frame, Tongue const& tongue) {
-    return tongue.number(static_cast<double>(frame) * frameDuration, 1);
+std::string secondsOf(std::uint64_t frame, AnswerLanguage const& language) {
+    return language.number(static_cast<double>(frame) * frameDuration, 1);
 }
 
-std::string gapText(CircuitGap const& gap, Tongue const& tongue) {
-    return tongue.mix("of {} between {} and {}",
-                      {{tongue.distance(gap.width)}, {gap.nameA, true}, {gap.nameB, true}});
+std::string gapText(CircuitGap const& gap, AnswerLanguage const& language) {
+    return language.mix("of {} between {} and {}",
+                        {{language.distance(gap.width)}, {gap.nameA, true}, {gap.nameB, true}});
 }
 
 /// Where the gaps are: "the circuit has a gap of 4 cm between the left contact and the right contact".
-std::string gapsText(Miss const& miss, Tongue const& tongue) {
+std::string gapsText(Miss const& miss, AnswerLanguage const& language) {
     std::vector<std::string> texts;
     for (CircuitGap const& gap : miss.gaps) {
-        texts.push_back(gapText(gap, tongue));
+        texts.push_back(gapText(gap, language));
     }
-    std::string const joined = fmt::format("{}", fmt::join(texts, ", " + tongue.fill("and", {}) + " "));
-    return tongue.fill(miss.gaps.size() == 1 ? "the circuit has a gap {}" : "the circuit has gaps {}",
-                       {joined});
+    std::string const joined = fmt::format("{}", fmt::join(texts, ", " + language.fill("and", {}) + " "));
+    return language.fill(miss.gaps.size() == 1 ? "the circuit has a gap {}" : "the circuit has gaps {}",
+                         {joined});
 }
 
 /// Which moment of what it is about a miss tells.
@@ -113,18 +113,18 @@ enum class Extreme : std::uint8_t {
 
 /// What no measure tells how nearly; of an object, if there is one.
 std::string otherWayText(std::optional<Said> const& object, Extreme extreme, std::string const& when,
-                         Tongue const& tongue) {
+                         AnswerLanguage const& language) {
     if (extreme == Extreme::nearest) {
-        return object ? tongue.mix("{} never was as it should be", {*object})
-                      : tongue.fill("it never was as it should be", {});
+        return object ? language.mix("{} never was as it should be", {*object})
+                      : language.fill("it never was as it should be", {});
     }
     if (extreme == Extreme::farthest) {
-        return (object ? tongue.mix("{} ceased to be as it should be", {*object})
-                       : tongue.fill("it ceased to be as it should be", {})) +
+        return (object ? language.mix("{} ceased to be as it should be", {*object})
+                       : language.fill("it ceased to be as it should be", {})) +
                when;
     }
-    return (object ? tongue.mix("{} was not as it should be", {*object})
-                   : tongue.fill("it was not as it should be", {})) +
+    return (object ? language.mix("{} was not as it should be", {*object})
+                   : language.fill("it was not as it should be", {})) +
            when;
 }
 
@@ -135,56 +135,58 @@ bool isOfItsMoment(Miss const& miss) {
 }
 
 /// What one miss says, with its moment.
-std::string sentenceOf(Miss const& miss, Extreme extreme, std::string const& when, Tongue const& tongue) {
+std::string sentenceOf(Miss const& miss, Extreme extreme, std::string const& when,
+                       AnswerLanguage const& language) {
     std::vector<std::string> const& names = miss.names;
     Said const first{names.empty() ? std::string() : names.front(), true};
     Said const second{names.size() < 2 ? std::string() : names[1], true};
     auto const amount = [&](int digits) {
-        return Said{fmt::format("{} {}", tongue.number(miss.by, digits), unitOf(miss.lack))};
+        return Said{fmt::format("{} {}", language.number(miss.by, digits), unitOf(miss.lack))};
     };
     switch (miss.lack) {
     case Lack::distance: {
-        Said const by{tongue.distance(miss.by)};
+        Said const by{language.distance(miss.by)};
         if (names.size() < 2) {
-            return tongue.mix(extreme == Extreme::nearest ? "{} was {} short of where it should be"
-                                                          : "{} was {} away from where it should be",
-                              {first, by}) +
+            return language.mix(extreme == Extreme::nearest ? "{} was {} short of where it should be"
+                                                            : "{} was {} away from where it should be",
+                                {first, by}) +
                    when;
         }
-        return (extreme == Extreme::nearest ? tongue.mix("{} came within {} of {}", {first, by, second})
-                                            : tongue.mix("{} was {} away from {}", {first, by, second})) +
+        return (extreme == Extreme::nearest ? language.mix("{} came within {} of {}", {first, by, second})
+                                            : language.mix("{} was {} away from {}", {first, by, second})) +
                when;
     }
     case Lack::gap:
-        return tongue.mix("no current flowed through {}: {}", {first, {gapsText(miss, tongue)}}) + when;
+        return language.mix("no current flowed through {}: {}", {first, {gapsText(miss, language)}}) + when;
     case Lack::power:
-        return tongue.mix("{} lacked {}", {first, amount(3)}) + when;
+        return language.mix("{} lacked {}", {first, amount(3)}) + when;
     case Lack::force:
-        return tongue.mix("{} pulled {} with {} less than its weight", {first, second, amount(2)}) + when;
+        return language.mix("{} pulled {} with {} less than its weight", {first, second, amount(2)}) + when;
     case Lack::lift:
-        return tongue.mix(names.size() > 2
-                              ? "{} would have lifted {} there with {} less than the weight of it "
-                                "and all that is tied to it or lies on it"
-                              : "{} would have lifted {} there with {} less than its weight",
-                          {first, second, amount(0)}) +
+        return language.mix(names.size() > 2
+                                ? "{} would have lifted {} there with {} less than the weight of it "
+                                  "and all that is tied to it or lies on it"
+                                : "{} would have lifted {} there with {} less than its weight",
+                            {first, second, amount(0)}) +
                when;
     case Lack::torque:
-        return tongue.mix("the load turned {} with {} more than {} righted it", {second, amount(0), first}) +
+        return language.mix("the load turned {} with {} more than {} righted it",
+                            {second, amount(0), first}) +
                when;
     case Lack::count:
-        return tongue.mix("the number was wrong by {}", {{tongue.number(miss.by, 0)}}) + when;
+        return language.mix("the number was wrong by {}", {{language.number(miss.by, 0)}}) + when;
     case Lack::time:
-        return tongue.mix("it held, but for {} less than it should", {amount(2)}) + when;
+        return language.mix("it held, but for {} less than it should", {amount(2)}) + when;
     case Lack::steps:
     case Lack::change:
-        return otherWayText(names.empty() ? std::nullopt : std::optional(first), extreme, when, tongue);
+        return otherWayText(names.empty() ? std::nullopt : std::optional(first), extreme, when, language);
     case Lack::nothing:
         break;
     }
-    return tongue.fill("it was met", {}) + when;
+    return language.fill("it was met", {}) + when;
 }
 
-nlohmann::ordered_json missJson(Miss const& miss, Tongue const& tongue) {
+nlohmann::ordered_json missJson(Miss const& miss, AnswerLanguage const& language) {
     nlohmann::ordered_json made{{"frame", miss.frame},     {"what", nameOf(miss.lack)},
                                 {"by", miss.by},           {"unit", unitOf(miss.lack)},
                                 {"measure", miss.measure}, {"objects", miss.names}};
@@ -200,7 +202,7 @@ nlohmann::ordered_json missJson(Miss const& miss, Tongue const& tongue) {
     }
     nlohmann::ordered_json besides = nlohmann::ordered_json::array();
     for (Miss const& other : miss.besides) {
-        nlohmann::ordered_json one = missJson(other, tongue);
+        nlohmann::ordered_json one = missJson(other, language);
         if (other.frame == 0) {
             one.erase("frame"); // that of the whole
         }
@@ -214,46 +216,47 @@ nlohmann::ordered_json missJson(Miss const& miss, Tongue const& tongue) {
 
 /// A sentence for the miss and for each of what stood in the way besides; with a moment, if it is another:
 /// then it is of what had held (see Aftermath).
-void addSentences(Miss const& miss, Extreme extreme, std::uint64_t told, Tongue const& tongue,
+void addSentences(Miss const& miss, Extreme extreme, std::uint64_t told, AnswerLanguage const& language,
                   std::vector<std::string>& sentences) {
     bool const later = miss.frame != 0 && miss.frame != told;
-    std::string const when = later ? tongue.fill(", at {} s", {secondsOf(miss.frame, tongue)}) : "";
+    std::string const when = later ? language.fill(", at {} s", {secondsOf(miss.frame, language)}) : "";
     Extreme const now = isOfItsMoment(miss) ? Extreme::none : extreme;
     Extreme const here = later ? Extreme::farthest : now;
-    sentences.push_back(capitalised(sentenceOf(miss, here, when, tongue)) + ".");
+    sentences.push_back(capitalised(sentenceOf(miss, here, when, language)) + ".");
     for (Miss const& other : miss.besides) {
         Extreme const there = here == Extreme::nearest ? here : Extreme::none;
-        addSentences(other, there, later ? miss.frame : told, tongue, sentences);
+        addSentences(other, there, later ? miss.frame : told, language, sentences);
     }
 }
 
 } // namespace
 
-std::vector<std::string> sentencesOf(Miss const& miss, Tongue const& tongue) {
-    std::string const when = tongue.fill(", at {} s", {secondsOf(miss.frame, tongue)});
+std::vector<std::string> sentencesOf(Miss const& miss, AnswerLanguage const& language) {
+    std::string const when = language.fill(", at {} s", {secondsOf(miss.frame, language)});
     bool const oneOfSeveral = miss.child != Miss::noChild;
     Extreme const extreme = oneOfSeveral && isOfItsMoment(miss) ? Extreme::none : Extreme::nearest;
-    std::vector<std::string> sentences{capitalised(sentenceOf(miss, extreme, when, tongue)) + "."};
+    std::vector<std::string> sentences{capitalised(sentenceOf(miss, extreme, when, language)) + "."};
     for (Miss const& other : miss.besides) {
-        addSentences(other, Extreme::nearest, miss.frame, tongue, sentences);
+        addSentences(other, Extreme::nearest, miss.frame, language, sentences);
     }
     return sentences;
 }
 
-std::vector<std::string> sentencesOf(Answer const& answer, std::string const& goal, Tongue const& tongue) {
+std::vector<std::string> sentencesOf(Answer const& answer, std::string const& goal,
+                                     AnswerLanguage const& language) {
     if (!answer.happened) {
-        std::vector<std::string> all{capitalised(tongue.fill("the goal “{}” was not met", {goal})) + "."};
+        std::vector<std::string> all{capitalised(language.fill("the goal “{}” was not met", {goal})) + "."};
         if (answer.nearest) {
-            std::vector<std::string> const miss = sentencesOf(answer.nearest->nearest, tongue);
+            std::vector<std::string> const miss = sentencesOf(answer.nearest->nearest, language);
             all.insert(all.end(), miss.begin(), miss.end());
         }
         return all;
     }
-    return Teller(answer, goal, tongue).sentences();
+    return ChainSentences(answer, goal, language).sentences();
 }
 
 nlohmann::ordered_json toJson(Answer const& answer, std::string const& asked, std::string const& goal,
-                              Tongue const& tongue) {
+                              AnswerLanguage const& language) {
     nlohmann::ordered_json chain = nlohmann::ordered_json::array();
     for (ChainStep const& one : answer.chain) {
         chain.push_back({{"frame", one.step.frame},
@@ -262,18 +265,18 @@ nlohmann::ordered_json toJson(Answer const& answer, std::string const& asked, st
                          {"because", one.step.because},
                          {"confirmed", one.proof == Proof::confirmed || one.proof == Proof::together},
                          {"proof", nameOf(one.proof)},
-                         {"text", clausesOf(one.step, answer.facts, goal, tongue).main}});
+                         {"text", clausesOf(one.step, answer.facts, goal, language).main}});
     }
     nlohmann::ordered_json made{
         {"asked", asked},
         {"happened", answer.happened},
-        {"answer", fmt::format("{}", fmt::join(sentencesOf(answer, goal, tongue), " "))},
+        {"answer", fmt::format("{}", fmt::join(sentencesOf(answer, goal, language), " "))},
         {"confirmed", answer.confirmed},
         {"chain", chain},
         {"dropped", answer.dropped},
         {"runs", answer.runs}};
     if (answer.nearest) {
-        made["nearest_miss"] = missJson(answer.nearest->nearest, tongue);
+        made["nearest_miss"] = missJson(answer.nearest->nearest, language);
     }
     return made;
 }

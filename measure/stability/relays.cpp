@@ -75,12 +75,12 @@ Connector const& levelWire() {
 }
 
 /// The behaviour of a ring of relays: each relay's contact feeds the next one's coil.
-struct Course {
+struct RelayHistory {
     std::vector<std::vector<int>> switched; // by coil, the frames in which it was switched
     std::uint64_t hash = 0;
 };
 
-Course run(std::vector<bool> const& closedAtRest, int threads, int frames) {
+RelayHistory run(std::vector<bool> const& closedAtRest, int threads, int frames) {
     World world(
         registryWithRelays(),
         WorldOptions{.threads = threads, .detail = {}, .periods = {}, .trace = false, .rowsWorthThreads = 0});
@@ -107,7 +107,7 @@ Course run(std::vector<bool> const& closedAtRest, int threads, int frames) {
     }
     Subscription const wantedElectricalState = world.want<ElectricalState>();
     world.start();
-    Course course;
+    RelayHistory course;
     course.switched.resize(coils.size());
     std::vector<bool> on(coils.size(), false);
     for (int frame = 1; frame <= frames; ++frame) {
@@ -128,7 +128,7 @@ std::vector<Figure> judge(std::vector<bool> const& closedAtRest) {
     constexpr int frames = 6000;
     constexpr int lately = frames - 600;
     constexpr double unlimited = std::numeric_limits<double>::infinity();
-    Course const one = run(closedAtRest, 1, frames);
+    RelayHistory const one = run(closedAtRest, 1, frames);
     double rate = 0;
     double stuck = 0;
     double apart = 0; // frames between switchings: longest minus shortest, of any coil, in periodic operation
@@ -145,7 +145,7 @@ std::vector<Figure> judge(std::vector<bool> const& closedAtRest) {
     }
     double differ = 0;
     for (int const threads : {2, 4}) {
-        Course const other = run(closedAtRest, threads, frames);
+        RelayHistory const other = run(closedAtRest, threads, frames);
         differ += other.switched == one.switched && other.hash == one.hash ? 0 : 1;
     }
     return {{"switchings of a relay", "1/s", 60, rate},

@@ -23,7 +23,7 @@ constexpr std::array<std::string_view, 3> headings{"Work for Resolvers", "Work f
                                                    "Work for Interactions"};
 
 // One action of one component in one frame, with all objects that it affects.
-struct Deed {
+struct FrameAction {
     std::string who; ///< "Dynamics Resolver"
     std::string what;
     std::vector<std::string> objects; ///< "switch", or "floor and switch"
@@ -32,12 +32,12 @@ struct Deed {
 
 struct Frame {
     std::vector<std::string> notes;
-    std::array<std::vector<Deed>, headings.size()> work; ///< by phase
-    std::size_t repeats = 0;                             ///< events that have been described before
+    std::array<std::vector<FrameAction>, headings.size()> work; ///< by phase
+    std::size_t repeats = 0;                                    ///< events that have been described before
 
     [[nodiscard]] bool hasContent() const {
         return !notes.empty() ||
-               std::any_of(work.begin(), work.end(), [](auto const& deeds) { return !deeds.empty(); });
+               std::any_of(work.begin(), work.end(), [](auto const& actions) { return !actions.empty(); });
     }
 };
 
@@ -110,11 +110,12 @@ private:
     }
     static void add(Frame& frame, Phase phase, std::string const& who, std::string const& what,
                     std::vector<std::string> const& objects, bool lasting) {
-        auto& deeds = frame.work[static_cast<std::size_t>(phase)];
-        auto at = std::find_if(deeds.begin(), deeds.end(),
-                               [&](Deed const& deed) { return deed.who == who && deed.what == what; });
-        if (at == deeds.end()) {
-            at = deeds.insert(deeds.end(), {who, what, {}, lasting});
+        auto& actions = frame.work[static_cast<std::size_t>(phase)];
+        auto at = std::find_if(actions.begin(), actions.end(), [&](FrameAction const& action) {
+            return action.who == who && action.what == what;
+        });
+        if (at == actions.end()) {
+            at = actions.insert(actions.end(), {who, what, {}, lasting});
         }
         if (!objects.empty()) {
             at->objects.push_back(visible(fmt::format("{}", fmt::join(objects, " and "))));
@@ -219,8 +220,9 @@ std::string headline(std::uint64_t number, Frame const& frame) {
     }
     for (std::size_t const phase : {std::size_t{1}, std::size_t{0}, std::size_t{2}}) {
         if (!frame.work[phase].empty()) {
-            Deed const& deed = frame.work[phase].back();
-            return deed.objects.empty() ? deed.what : fmt::format("{}: {}", deed.what, deed.objects.front());
+            FrameAction const& action = frame.work[phase].back();
+            return action.objects.empty() ? action.what
+                                          : fmt::format("{}: {}", action.what, action.objects.front());
         }
     }
     return "";
@@ -239,9 +241,10 @@ std::string describe(std::uint64_t number, Frame const& frame) {
             continue;
         }
         text += fmt::format("**{}**\n\n", headings[phase]);
-        for (Deed const& deed : frame.work[phase]) {
-            text += fmt::format("- {}: {}{}{}{}\n", deed.who, deed.what, deed.objects.empty() ? "" : ": ",
-                                listed(deed.objects), deed.lasting ? "; and from now on" : "");
+        for (FrameAction const& action : frame.work[phase]) {
+            text +=
+                fmt::format("- {}: {}{}{}{}\n", action.who, action.what, action.objects.empty() ? "" : ": ",
+                            listed(action.objects), action.lasting ? "; and from now on" : "");
         }
         text += "\n";
     }

@@ -90,13 +90,13 @@ SearchedLevel searchLevel(insight::LevelUnderTest const& level, std::filesystem:
     return searched;
 }
 
-ToldLevel tell(SearchedLevel const& searched, insight::LevelUnderTest const& level,
-               SolveArguments const& arguments, WorkPlace& place) {
+LevelSummary summaryOf(SearchedLevel const& searched, insight::LevelUnderTest const& level,
+                       SolveArguments const& arguments, WorkPlace& place) {
     insight::SearchResult const& result = searched.search;
     insight::Workers own({.threads = arguments.work.threads}); // not the team, whose others do not tell
     auto const recorded = recordedKinds(level, own);
-    ToldLevel told;
-    nlohmann::ordered_json& all = told.json;
+    LevelSummary summary;
+    nlohmann::ordered_json& all = summary.json;
     all["level"] = searched.name;
     all["seed"] = arguments.seed;
     all["complete"] = searched.complete;
@@ -126,12 +126,12 @@ ToldLevel tell(SearchedLevel const& searched, insight::LevelUnderTest const& lev
                                                      : kept.picture.string());
         }
         all["found"].push_back(std::move(one));
-        told.lines.push_back(std::move(line));
+        summary.lines.push_back(std::move(line));
     }
     if (searched.chance) {
         all["random"] = countsOf(*searched.chance);
     }
-    return told;
+    return summary;
 }
 
 } // namespace trembler

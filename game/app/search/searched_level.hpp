@@ -28,20 +28,20 @@ struct SearchedLevel {
     [[nodiscard]] std::optional<double> runsPerSecond() const;
 };
 
-/// Searches, in all members of a team. `many`: it is one of several levels; its progress is told with its
-/// name, and how long it took is written into the journal, for who goes on later.
+/// Searches, in all members of a team. `many`: it is one of several levels; its progress is reported with its
+/// name, and how long it took is written into the journal, for a later search that continues it.
 [[nodiscard]] SearchedLevel searchLevel(insight::LevelUnderTest const& level,
                                         std::filesystem::path const& file, SolveArguments const& arguments,
                                         std::uint64_t runs, bool many, WorkPlace& place);
 
-/// What is told of a level.
-struct ToldLevel {
+/// What is reported about a level.
+struct LevelSummary {
     nlohmann::ordered_json json;
     std::vector<std::string> lines; ///< for people, one for each kind of solution
 };
 /// In the leader only. Keeps what was found, if that is asked for. Throws OutputError.
-[[nodiscard]] ToldLevel tell(SearchedLevel const& searched, insight::LevelUnderTest const& level,
-                             SolveArguments const& arguments, WorkPlace& place);
+[[nodiscard]] LevelSummary summaryOf(SearchedLevel const& searched, insight::LevelUnderTest const& level,
+                                     SolveArguments const& arguments, WorkPlace& place);
 
 /// "117 of 200 runs solve it, the first one run 5; 2 kinds of solutions"
 [[nodiscard]] std::string countsInWords(insight::SearchResult const& result);

@@ -1,4 +1,4 @@
-// What `trembler solve` was told.
+// The arguments of `trembler solve`.
 #pragma once
 
 #include "game/app/options/outputs.hpp"

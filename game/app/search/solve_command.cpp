@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::uint64_t usualRuns = 2000;
 
-/// Whether one table is made of them; else the one level is told of at length.
+/// Whether one table is made of them; else the single level is described at length.
 bool isMany(std::vector<std::string> const& paths) {
     std::error_code ignored;
     return paths.size() > 1 || std::filesystem::is_directory(paths.front(), ignored);
@@ -31,9 +31,9 @@ std::string dumped(nlohmann::ordered_json const& all) {
     return escapedJson(all.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace)) + "\n";
 }
 
-void sayAtLength(std::ostream& out, SearchedLevel const& level, ToldLevel const& told) {
+void sayAtLength(std::ostream& out, SearchedLevel const& level, LevelSummary const& summary) {
     out << visible(level.name) << ": " << countsInWords(level.search) << "\n";
-    for (std::string const& line : told.lines) {
+    for (std::string const& line : summary.lines) {
         out << visibleLines(line) << "\n";
     }
     if (level.search.found.empty()) {
@@ -85,7 +85,7 @@ int solveLevels(SolveArguments const& arguments) {
     if (arguments.keep) {
         checkFolderName("--keep", *arguments.keep);
     }
-    std::vector<std::unique_ptr<insight::LevelUnderTest>> levels; // all, so that a fault is told at once
+    std::vector<std::unique_ptr<insight::LevelUnderTest>> levels; // all, so that a fault is reported at once
     for (auto const& file : files) {
         levels.push_back(std::make_unique<insight::LevelUnderTest>(data.dataFor(file), file));
     }
@@ -107,14 +107,14 @@ int solveLevels(SolveArguments const& arguments) {
         if (!place.leads()) {
             continue;
         }
-        ToldLevel told = tell(searched.back(), *levels[i], arguments, place);
+        LevelSummary summary = summaryOf(searched.back(), *levels[i], arguments, place);
         place.clearProgress();
         if (words && many) {
             outputs.words() << visible(solveLine(searched.back())) << std::endl; // as it comes
         } else if (words) {
-            sayAtLength(outputs.words(), searched.back(), told);
+            sayAtLength(outputs.words(), searched.back(), summary);
         }
-        entries.push_back(std::move(told.json));
+        entries.push_back(std::move(summary.json));
     }
     place.clearProgress();
     if (!place.leads()) {

@@ -76,7 +76,7 @@ std::optional<ScreenRequest> Menu::drawMain(UiContext& context, Screen& behind) 
     ImGui::Dummy({0, scaled(4)});
     bool const resume = wide(context, "menu.resume", Icon::Play, ButtonLook::Primary);
     bool const restart = behind.commands().has("restart") && wide(context, "menu.restart", Icon::Reset);
-    if (behind.shelf() != nullptr && wide(context, "menu.solutions", Icon::Save)) {
+    if (behind.loadableSolutions() != nullptr && wide(context, "menu.solutions", Icon::Save)) {
         pages_.push_back(MenuPage::solutions);
     }
     if (wide(context, "menu.levels", Icon::List)) {
@@ -151,14 +151,14 @@ std::optional<ScreenRequest> Menu::drawEnding(UiContext& context) {
 }
 
 void Menu::drawSolutions(UiContext& context, Screen& behind) {
-    SolutionShelf* const shelf = behind.shelf();
-    if (shelf == nullptr) {
+    LoadableSolutions* const loadable = behind.loadableSolutions();
+    if (loadable == nullptr) {
         return back();
     }
     if (drawn_ != page()) {
-        solutions_.open(*shelf);
+        solutions_.open(*loadable);
     }
-    switch (solutions_.draw(context, *shelf)) {
+    switch (solutions_.draw(context, *loadable)) {
     case SolutionsPage::Choice::stay:
         break;
     case SolutionsPage::Choice::back:

@@ -33,8 +33,8 @@ float widthOf(char const* label) {
 
 } // namespace
 
-void SolutionsPage::open(SolutionShelf& shelf) {
-    shelf.refresh();
+void SolutionsPage::open(LoadableSolutions& loadable) {
+    loadable.refresh();
     renamed_.reset();
     asked_.reset();
 }
@@ -45,15 +45,15 @@ bool SolutionsPage::cancel() {
     return was;
 }
 
-void SolutionsPage::startRenaming(SolutionShelf const& shelf, std::size_t index) {
+void SolutionsPage::startRenaming(LoadableSolutions const& loadable, std::size_t index) {
     name_.fill('\0');
-    std::string const& name = shelf.items()[index].name;
+    std::string const& name = loadable.items()[index].name;
     std::copy_n(name.begin(), std::min(name.size(), name_.size() - 1), name_.begin());
     renamed_ = index;
     focuses_ = true;
 }
 
-void SolutionsPage::drawName(UiContext& context, SolutionShelf& shelf, std::size_t index) {
+void SolutionsPage::drawName(UiContext& context, LoadableSolutions& loadable, std::size_t index) {
     ImGui::SetNextItemWidth(-1);
     if (std::exchange(focuses_, false)) {
         ImGui::SetKeyboardFocusHere();
@@ -64,7 +64,7 @@ void SolutionsPage::drawName(UiContext& context, SolutionShelf& shelf, std::size
     context.layout.item("solution name");
     if (done) {
         if (name_[0] != '\0') {
-            tell(context, shelf.rename(index, name_.data()));
+            tell(context, loadable.rename(index, name_.data()));
         }
         renamed_.reset();
     } else if (ImGui::IsItemDeactivated()) { // given up, by a gamepad or for something else
@@ -72,12 +72,13 @@ void SolutionsPage::drawName(UiContext& context, SolutionShelf& shelf, std::size
     }
 }
 
-SolutionsPage::Choice SolutionsPage::drawRow(UiContext& context, SolutionShelf& shelf, std::size_t index) {
+SolutionsPage::Choice SolutionsPage::drawRow(UiContext& context, LoadableSolutions& loadable,
+                                             std::size_t index) {
     if (renamed_ == index) {
-        drawName(context, shelf, index);
+        drawName(context, loadable, index);
         return Choice::stay;
     }
-    SolutionShelf::Item const item = shelf.items()[index];
+    LoadableSolutions::Item const item = loadable.items()[index];
     std::string const number = " " + std::to_string(index + 1);
     bool const asks = asked_ == index;
     char const* const load = text("solutions.load");
@@ -100,7 +101,7 @@ SolutionsPage::Choice SolutionsPage::drawRow(UiContext& context, SolutionShelf& 
     ImGui::PopClipRect();
     ImGui::SameLine(right - buttons);
     if (rowButton(context, load, "load solution" + number)) {
-        std::string const why = shelf.load(index);
+        std::string const why = loadable.load(index);
         tell(context, why);
         return why.empty() ? Choice::loaded : Choice::stay;
     }
@@ -109,13 +110,13 @@ SolutionsPage::Choice SolutionsPage::drawRow(UiContext& context, SolutionShelf& 
     }
     ImGui::SameLine(0, gap);
     if (rowButton(context, rename, "rename solution" + number)) {
-        startRenaming(shelf, index);
+        startRenaming(loadable, index);
         asked_.reset();
     }
     ImGui::SameLine(0, gap);
     if (rowButton(context, erase, "delete solution" + number)) {
         if (asks) {
-            tell(context, shelf.remove(index));
+            tell(context, loadable.remove(index));
             asked_.reset();
         } else {
             asked_ = index;
@@ -130,23 +131,23 @@ std::string noSolutionsYet(KeyBindings const& keys) {
                         : textWith("solutions.none", labelOf(save.front()));
 }
 
-SolutionsPage::Choice SolutionsPage::draw(UiContext& context, SolutionShelf& shelf) {
+SolutionsPage::Choice SolutionsPage::draw(UiContext& context, LoadableSolutions& loadable) {
     Choice choice = Choice::stay;
     ImVec2 const screen = ImGui::GetIO().DisplaySize;
     float const width = std::min(screen.x / theme().scale - 32, solutionsWidth);
     context.layout.beginCard("solutions", text("solutions.title"),
                              {.anchor = Anchor::Middle, .width = width});
-    caption(shelf.items().empty() ? noSolutionsYet(context.keys).c_str() : text("solutions.about"));
+    caption(loadable.items().empty() ? noSolutionsYet(context.keys).c_str() : text("solutions.about"));
     float const row = ImGui::GetFrameHeightWithSpacing();
-    float const wanted = row * static_cast<float>(shelf.items().size());
+    float const wanted = row * static_cast<float>(loadable.items().size());
     float const room = std::max(screen.y - scaled(280), row);
     bool const scrolls = wanted > room;
     if (scrolls) {
         ImGui::PushStyleColor(ImGuiCol_ChildBg, ImVec4(0, 0, 0, 0));
         ImGui::BeginChild("rows", {0, room});
     }
-    for (std::size_t i = 0; i < shelf.items().size() && choice == Choice::stay; ++i) {
-        choice = drawRow(context, shelf, i);
+    for (std::size_t i = 0; i < loadable.items().size() && choice == Choice::stay; ++i) {
+        choice = drawRow(context, loadable, i);
     }
     if (scrolls) {
         ImGui::EndChild();

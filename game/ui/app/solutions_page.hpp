@@ -2,7 +2,7 @@
 #pragma once
 
 #include "game/ui/commands/key_bindings.hpp"
-#include "game/ui/play/keeping/solution_shelf.hpp"
+#include "game/ui/play/keeping/loadable_solutions.hpp"
 #include "game/ui/shared/ui_context.hpp"
 
 #include <array>
@@ -18,18 +18,18 @@ public:
     enum class Choice : std::uint8_t { stay, back, loaded };
 
     /// To be called when the page is opened.
-    void open(SolutionShelf& shelf);
+    void open(LoadableSolutions& loadable);
     /// Call between Gui::beginFrame and endFrame.
-    Choice draw(UiContext& context, SolutionShelf& shelf);
+    Choice draw(UiContext& context, LoadableSolutions& loadable);
     /// A name is being typed: keys have no other meaning.
     [[nodiscard]] bool typing() const { return renamed_.has_value(); }
     /// Ends the typing without a change. False if nothing is being typed.
     bool cancel();
 
 private:
-    void startRenaming(SolutionShelf const& shelf, std::size_t index);
-    Choice drawRow(UiContext& context, SolutionShelf& shelf, std::size_t index);
-    void drawName(UiContext& context, SolutionShelf& shelf, std::size_t index);
+    void startRenaming(LoadableSolutions const& loadable, std::size_t index);
+    Choice drawRow(UiContext& context, LoadableSolutions& loadable, std::size_t index);
+    void drawName(UiContext& context, LoadableSolutions& loadable, std::size_t index);
 
     std::optional<std::size_t> renamed_; // the row whose name is being typed
     std::optional<std::size_t> asked_;   // the row that is to be deleted, if the player says so again

@@ -41,7 +41,7 @@ void warning(std::string const& text) {
 }
 
 /// In one word, and whether that is bad.
-std::pair<std::string, bool> stateOf(WorkshopScript const& script, ComponentStatus const& status) {
+std::pair<std::string, bool> stateOf(ModScript const& script, ComponentStatus const& status) {
     if (!script.live->on()) {
         return {words::scriptOff, false};
     }
@@ -72,7 +72,7 @@ void usageRow(char const* name, double share, std::string const& text) {
     }
 }
 
-void drawUsage(WorkshopScript const& script) {
+void drawUsage(ModScript const& script) {
     heading(words::scriptUses);
     auto const usage = script.live->usage();
     if (!usage || usage->targets == 0) {
@@ -95,7 +95,7 @@ void drawUsage(WorkshopScript const& script) {
     ImGui::PopFont();
 }
 
-void drawTroubles(WorkshopScript const& script) {
+void drawTroubles(ModScript const& script) {
     if (!script.refused.empty()) {
         heading(words::fileRefused);
         ImGui::PushFont(theme().fonts.small);
@@ -116,7 +116,7 @@ void drawTroubles(WorkshopScript const& script) {
     }
 }
 
-void drawLog(Layout& layout, WorkshopScript const& script) {
+void drawLog(Layout& layout, ModScript const& script) {
     constexpr std::size_t most = 6; // lines; the others are scrolled to
     if (script.log.empty()) {
         return;
@@ -141,8 +141,8 @@ void drawLog(Layout& layout, WorkshopScript const& script) {
 
 } // namespace
 
-void ModsPanel::drawParameters(Layout& layout, Workshop& workshop, std::size_t number) {
-    WorkshopScript const& script = workshop.scripts()[number];
+void ModsPanel::drawParameters(Layout& layout, LiveMods& liveMods, std::size_t number) {
+    ModScript const& script = liveMods.scripts()[number];
     lua::Manifest const& manifest = script.live->script().manifest;
     std::string const& name = script.live->name();
     heading(words::parameters, manifest.attached);
@@ -151,7 +151,7 @@ void ModsPanel::drawParameters(Layout& layout, Workshop& workshop, std::size_t n
         return;
     }
     std::vector<ScriptUser> const users =
-        manifest.attached ? workshop.users(number) : std::vector<ScriptUser>();
+        manifest.attached ? liveMods.users(number) : std::vector<ScriptUser>();
     ScriptUser const* user = nullptr;
     if (!users.empty()) {
         auto const known = chosen_.find(name);
@@ -180,7 +180,7 @@ void ModsPanel::drawParameters(Layout& layout, Workshop& workshop, std::size_t n
         }
         layout.item("object of " + name);
     }
-    // The workshop may make another version of the script: its manifest is then another one.
+    // A saved file makes another version of the script: its manifest is then another one.
     std::optional<std::pair<std::string, lua::Value>> set;
     for (lua::Parameter const& parameter : manifest.parameters) {
         lua::Value const value = user != nullptr ? user->values.at(parameter.name) : parameter.initial;
@@ -189,19 +189,19 @@ void ModsPanel::drawParameters(Layout& layout, Workshop& workshop, std::size_t n
         }
     }
     if (set && user != nullptr) {
-        workshop.setFor(number, user->object, set->first, set->second);
+        liveMods.setFor(number, user->object, set->first, set->second);
     } else if (set) {
-        workshop.setDefault(number, set->first, set->second);
+        liveMods.setDefault(number, set->first, set->second);
     }
 }
 
-void ModsPanel::drawScript(Layout& layout, Registry const& registry, Workshop& workshop, std::size_t number,
+void ModsPanel::drawScript(Layout& layout, Registry const& registry, LiveMods& liveMods, std::size_t number,
                            ComponentStatus const& status) {
-    WorkshopScript const& script = workshop.scripts()[number];
+    ModScript const& script = liveMods.scripts()[number];
     std::string const& name = script.live->name();
     bool on = script.live->on();
     if (render::checkBox("##on", &on)) {
-        workshop.setOn(number, on);
+        liveMods.setOn(number, on);
     }
     layout.item("switch of " + name);
     if (ImGui::IsItemHovered()) {
@@ -212,7 +212,7 @@ void ModsPanel::drawScript(Layout& layout, Registry const& registry, Workshop& w
     bool const trouble = bad || !script.refused.empty();
     float const room = ImGui::CalcTextSize(state.c_str()).x + scaled(10);
     ImGuiTreeNodeFlags flags = ImGuiTreeNodeFlags_AllowItemOverlap;
-    if (workshop.scripts().size() == 1 || trouble) {
+    if (liveMods.scripts().size() == 1 || trouble) {
         flags |= ImGuiTreeNodeFlags_DefaultOpen;
     }
     ImVec2 const at = ImGui::GetCursorScreenPos();
@@ -240,10 +240,10 @@ void ModsPanel::drawScript(Layout& layout, Registry const& registry, Workshop& w
         smallLines(script.live->script().manifest.trust == lua::Trust::trusted ? words::trustedMod
                                                                                : words::untrustedMod);
     }
-    drawParameters(layout, workshop, number);
-    if (workshop.changed(number)) {
+    drawParameters(layout, liveMods, number);
+    if (liveMods.changed(number)) {
         if (ImGui::Button(words::asStated)) {
-            workshop.asStated(number);
+            liveMods.asStated(number);
         }
         layout.item("as stated, " + name);
     }
@@ -252,7 +252,7 @@ void ModsPanel::drawScript(Layout& layout, Registry const& registry, Workshop& w
     ImGui::Dummy({0, scaled(6)});
 }
 
-void ModsPanel::draw(Layout& layout, Registry const& registry, Workshop& workshop, Session const& session,
+void ModsPanel::draw(Layout& layout, Registry const& registry, LiveMods& liveMods, Session const& session,
                      float top, float height) {
     if (!open_) {
         return;
@@ -269,12 +269,12 @@ void ModsPanel::draw(Layout& layout, Registry const& registry, Workshop& worksho
     ImGui::PushStyleColor(ImGuiCol_ChildBg, ImVec4(0, 0, 0, 0));
     ImGui::BeginChild("scripts", {0, content_ > 0 ? std::min(content_, room) : room});
     std::vector<ComponentStatus> const all = session.world().status();
-    for (std::size_t i = 0; i < workshop.scripts().size(); ++i) {
-        ComponentInfo const* const info = &workshop.scripts()[i].live->info();
+    for (std::size_t i = 0; i < liveMods.scripts().size(); ++i) {
+        ComponentInfo const* const info = &liveMods.scripts()[i].live->info();
         auto const status = std::find_if(all.begin(), all.end(),
                                          [&](ComponentStatus const& one) { return one.info == info; });
         ImGui::PushID(static_cast<int>(i));
-        drawScript(layout, registry, workshop, i, status == all.end() ? ComponentStatus{} : *status);
+        drawScript(layout, registry, liveMods, i, status == all.end() ? ComponentStatus{} : *status);
         ImGui::PopID();
     }
     content_ = ImGui::GetCursorPosY();

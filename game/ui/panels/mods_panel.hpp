@@ -1,7 +1,7 @@
 // The mods' panel: each script with its box, its switch, its parameters, its messages and its usage.
 #pragma once
 
-#include "game/mods/workshop.hpp"
+#include "game/mods/live_mods.hpp"
 #include "game/ui/shared/layout.hpp"
 
 #include <map>
@@ -16,14 +16,14 @@ public:
     void setOpen(bool open) { open_ = open; }
     [[nodiscard]] bool open() const { return open_; }
     /// Call between Gui::beginFrame and endFrame. `top` and the maximum `height` are in pixels at UI scale 1.
-    /// What the player does to a script goes to the workshop at once.
-    void draw(Layout& layout, Registry const& registry, Workshop& workshop, Session const& session, float top,
+    /// What the player does to a script takes effect in the live mods at once.
+    void draw(Layout& layout, Registry const& registry, LiveMods& liveMods, Session const& session, float top,
               float height);
 
 private:
-    void drawScript(Layout& layout, Registry const& registry, Workshop& workshop, std::size_t number,
+    void drawScript(Layout& layout, Registry const& registry, LiveMods& liveMods, std::size_t number,
                     ComponentStatus const& status);
-    void drawParameters(Layout& layout, Workshop& workshop, std::size_t number);
+    void drawParameters(Layout& layout, LiveMods& liveMods, std::size_t number);
 
     bool open_ = false;
     float content_ = 0;                           // pixels: the height of what was drawn last

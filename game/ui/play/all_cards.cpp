@@ -97,7 +97,7 @@ void drawPanels(PlayParts& parts, float screen, float bottom, Beside const& besi
         return; // scripts may not be changed while other worlds run them
     }
     World const* const world = &parts.session.world();
-    parts.modsPanel.draw(context.layout, parts.data->registry, *parts.workshop, parts.session, top,
+    parts.modsPanel.draw(context.layout, parts.data->registry, *parts.liveMods, parts.session, top,
                          screen - top - bottom - 8);
     if (&parts.session.world() != world) { // built again, as the player has changed a script
         parts.newWorld();
@@ -143,11 +143,11 @@ void drawPast(PlayParts& parts, CommandButtons& buttons, float bottom) {
     }
     ProbePanel& probes = timeline.probes();
     Layout& layout = parts.context.layout;
-    auto const wish = drawTimelineBar(buttons, timeline);
-    auto wanted = wish.frame;
-    if (wish.why) {
+    auto const request = drawTimelineBar(buttons, timeline);
+    auto wanted = request.frame;
+    if (request.why) {
         parts.inspector.close();
-        parts.why.askMark(*wish.why);
+        parts.why.askMark(*request.why);
     }
     if (parts.whatIf->active()) {
         auto const pointed = drawWhatIfLane(buttons, timeline, *parts.whatIf);

@@ -47,10 +47,10 @@ PlayParts::PlayParts(UiContext& uiContext, std::filesystem::path levelFile,
       run(session, placing, hand, budget, audio, view, runEvents()),
       lesson(session, !context.profile.solved(id)), keeper(context.builds, id),
       film(context.recorder, context.toasts),
-      shelf(context.solutions, id, data ? data->registry : context.registry, session,
-            context.profile.progress(), [this](Solution const& solution) { load(solution); }),
+      loadableSolutions(context.solutions, id, data ? data->registry : context.registry, session,
+                        context.profile.progress(), [this](Solution const& solution) { load(solution); }),
       picking(session, inspector), mouse(session, placing, group, wires, hand, secondHand, view, picking),
-      workshop(data ? std::make_unique<Workshop>(*data, session) : nullptr) {
+      liveMods(data ? std::make_unique<LiveMods>(*data, session) : nullptr) {
     inspector.setScripts(data ? data->scripts.get() : nullptr);
     shown.names = context.profile.settings().names;
     if (int const leftOut = keeper.restore(session); leftOut > 0) {
@@ -190,7 +190,7 @@ void PlayParts::keepBuild(double seconds) {
 }
 
 void PlayParts::passMods(double seconds) {
-    if (workshop == nullptr) {
+    if (liveMods == nullptr) {
         return;
     }
     if (why.working() || whatIf->active()) {
@@ -200,8 +200,8 @@ void PlayParts::passMods(double seconds) {
         return;
     }
     auto const world = &session.world();
-    workshop->pass(seconds);
-    for (WorkshopNews const& news : workshop->takeNews()) {
+    liveMods->pass(seconds);
+    for (ModMessage const& news : liveMods->takeNews()) {
         context.toasts.add(translated(news.text),
                            news.trouble ? render::ToastKind::Trouble : render::ToastKind::News,
                            news.trouble ? 10 : 4);

@@ -7,7 +7,7 @@
 #include "game/ui/panels/inspector.hpp"
 #include "game/ui/panels/mods_panel.hpp"
 #include "game/ui/play/keeping/film.hpp"
-#include "game/ui/play/keeping/solution_shelf.hpp"
+#include "game/ui/play/keeping/loadable_solutions.hpp"
 #include "game/ui/play/lesson/lesson.hpp"
 #include "game/ui/play/mouse/field_mouse.hpp"
 #include "game/ui/play/mouse/key_pointer.hpp"
@@ -89,12 +89,12 @@ struct PlayParts {
     Lesson lesson;
     BuildKeeper keeper; ///< what the player has placed, for the next time
     Film film;
-    SolutionShelf shelf;
+    LoadableSolutions loadableSolutions;
     KeyPointer keyPointer;
     SecondPointer secondPointer;
     Picking picking;
     FieldMouse mouse;
-    std::unique_ptr<Workshop> workshop; ///< nullptr: the level names no mods
+    std::unique_ptr<LiveMods> liveMods; ///< nullptr: the level names no mods
     ModsPanel modsPanel;
     AskedTwice allBack; ///< whether all parts are to be put back
     Shown shown;
@@ -105,7 +105,7 @@ struct PlayParts {
     [[nodiscard]] render::Camera const& camera() const { return view.camera(); }
     /// Which buttons of a gamepad are meant.
     [[nodiscard]] PadPhase phase() const;
-    [[nodiscard]] bool hasMods() const { return workshop != nullptr; }
+    [[nodiscard]] bool hasMods() const { return liveMods != nullptr; }
     /// Writes what was placed, if it is due; tells the player if it cannot be written.
     void keepBuild(double seconds);
     [[nodiscard]] PartCatalog& catalog() { return modParts ? *modParts : context.catalog; }

@@ -24,7 +24,7 @@ public:
     void updateBehindMenu(double seconds) override;
     [[nodiscard]] bool still() const override;
     [[nodiscard]] bool keepsPicture() const override;
-    [[nodiscard]] SolutionShelf* shelf() override { return &parts_.shelf; }
+    [[nodiscard]] LoadableSolutions* loadableSolutions() override { return &parts_.loadableSolutions; }
     [[nodiscard]] bool hasSecondHand() const override { return true; }
     void draw() override;
     /// Adds the picture to the film, or keeps it by itself, if the player has asked for that.
@@ -58,7 +58,7 @@ public:
     [[nodiscard]] Lesson const& lesson() const { return parts_.lesson; }
     [[nodiscard]] Celebration const& celebration() const { return parts_.celebration; }
     /// nullptr: the level names no mods.
-    [[nodiscard]] Workshop* workshop() { return parts_.workshop.get(); }
+    [[nodiscard]] LiveMods* liveMods() { return parts_.liveMods.get(); }
     [[nodiscard]] budget::BudgetMode const& budget() const { return parts_.budget; }
     [[nodiscard]] render::Camera const& camera() const { return parts_.camera(); }
     /// Middle of the handle that turns the selected part, m.

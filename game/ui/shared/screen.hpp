@@ -13,7 +13,7 @@
 
 namespace trembler::ui {
 
-class SolutionShelf;
+class LoadableSolutions;
 
 /// Pages of the menu that Esc opens.
 enum class MenuPage : std::uint8_t {
@@ -75,7 +75,7 @@ public:
     /// drawn.
     [[nodiscard]] virtual bool still() const { return false; }
     /// The solutions of its level; nullptr if it shows none.
-    [[nodiscard]] virtual SolutionShelf* shelf() { return nullptr; }
+    [[nodiscard]] virtual LoadableSolutions* loadableSolutions() { return nullptr; }
     /// Whether a second player can do something here, with a gamepad of their own.
     [[nodiscard]] virtual bool hasSecondHand() const { return false; }
     /// Draws into the window: after Window::beginFrame, before Gui::endFrame.

@@ -69,7 +69,7 @@ void lookAtStudies(Player& player, Look const& look) {
     studies.reportOptions.robustness.runs = 8;
     studies.reportOptions.drops = 8;
     studies.reportOptions.mapReach = 3;
-    studies.wishes.runs = 40;
+    studies.request.runs = 40;
     player.key(SDLK_e, KMOD_LCTRL);
     studies.report().work->wait();
     player.frames(settled);

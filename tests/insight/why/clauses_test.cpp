@@ -34,10 +34,10 @@ Step step(StepKind kind, std::vector<std::string> objects, std::string const& wh
 }
 
 std::string said(Step const& step) {
-    return clausesOf(step, {}, "", Tongue(german())).main;
+    return clausesOf(step, {}, "", AnswerLanguage(german())).main;
 }
 std::string because(Step const& step) {
-    return clausesOf(step, {}, "", Tongue(german())).because;
+    return clausesOf(step, {}, "", AnswerLanguage(german())).because;
 }
 
 TEST(Clauses, InflectWhatTheyName) {
@@ -64,7 +64,7 @@ TEST(Clauses, NameThePartThatWasPlaced) {
     facts.placementOf = {{"wire 1 left end", 0}, {"wire 1 link 1", 0},    {"wire 1 right end", 0},
                          {"wire 2 left end", 1}, {"wire 2 right end", 1}, {"spanner 1", 2}};
     auto const placed = [&](std::string const& object) {
-        return clausesOf(step(StepKind::placed, {object}), facts, "", Tongue()).main;
+        return clausesOf(step(StepKind::placed, {object}), facts, "", AnswerLanguage()).main;
     };
     EXPECT_EQ(placed("wire 1 right end"), "you laid wire 1 there before the start");
     EXPECT_EQ(placed("wire 2 left end"), "you laid wire 2 there before the start");

@@ -58,7 +58,7 @@ bool isSure(Answer const& answer, std::size_t place) {
 
 std::string told(Answer const& answer) {
     std::string all;
-    for (std::string const& sentence : sentencesOf(answer, answer.goal, Tongue())) {
+    for (std::string const& sentence : sentencesOf(answer, answer.goal, AnswerLanguage())) {
         all += sentence + " ";
     }
     return all;

@@ -105,9 +105,9 @@ TEST(Why, AGoalThatWasNotMetHasANearestMiss) {
     ASSERT_TRUE(answer.nearest);
     EXPECT_EQ(answer.nearest->nearest.lack, Lack::gap);
     Catalogue const german(whyData().home / "assets" / "text", "de");
-    std::string const english = sentencesOf(answer.nearest->nearest, Tongue()).front();
+    std::string const english = sentencesOf(answer.nearest->nearest, AnswerLanguage()).front();
     EXPECT_NE(english.find("between the left contact and the right contact"), std::string::npos) << english;
-    std::string const words = sentencesOf(answer.nearest->nearest, Tongue(german)).front();
+    std::string const words = sentencesOf(answer.nearest->nearest, AnswerLanguage(german)).front();
     EXPECT_NE(words.find("zwischen dem linken Kontakt und dem rechten Kontakt"), std::string::npos) << words;
 }
 
@@ -165,7 +165,7 @@ TEST(Why, TheNumberOfThreadsDoesNotMatter) {
             options.frames = 600;
             options.threads = threads;
             Answer const answer = why(runs, *level.findSolution(solution), {}, options);
-            std::string const made = toJson(answer, "", "", Tongue()).dump();
+            std::string const made = toJson(answer, "", "", AnswerLanguage()).dump();
             first = first.empty() ? made : first;
             EXPECT_EQ(made, first) << name << ", " << threads;
         }
@@ -187,13 +187,13 @@ TEST(Why, ItEndsSoonWhenItIsToldTo) {
 
 TEST(Why, WhatWasSeenInAnUntracedRunCanBeAskedAbout) {
     Question question;
-    question.happening = Happening{60, {"electromagnet"}, {StepKind::on, StepKind::magnetOn}};
+    question.sighted = SightedEvent{60, {"electromagnet"}, {StepKind::on, StepKind::magnetOn}};
     Answer const answer = whyIn("experiments/1-switched-electromagnet", "", question);
     ASSERT_TRUE(answer.happened);
     expectSound(answer);
     EXPECT_EQ(answer.chain.back().step.kind, StepKind::magnetOn);
     EXPECT_TRUE(confirmedAt(answer, placeOf(answer, StepKind::contact, {"object 1", "switch"})));
-    question.happening->objects = {"metal object"};
+    question.sighted->objects = {"metal object"};
     EXPECT_THROW((void)whyIn("experiments/1-switched-electromagnet", "", question), NothingHappened);
 }
 
@@ -228,7 +228,7 @@ TEST(Why, StepsHappenedWhereTheirObjectsWereThen) {
 
 TEST(Why, TheJsonHasTheKeysThatOtherProgramsRelyOn) {
     Answer const answer = whyIn("experiments/1-switched-electromagnet", "");
-    nlohmann::ordered_json const made = toJson(answer, "goal lifted", "Lift it", Tongue());
+    nlohmann::ordered_json const made = toJson(answer, "goal lifted", "Lift it", AnswerLanguage());
     for (char const* const key : {"asked", "answer", "confirmed", "chain"}) {
         EXPECT_TRUE(made.contains(key)) << key;
     }
@@ -238,7 +238,7 @@ TEST(Why, TheJsonHasTheKeysThatOtherProgramsRelyOn) {
         }
     }
     Answer const missed = whyIn("first/1-first-contact", "", {}, 100);
-    nlohmann::ordered_json const miss = toJson(missed, "", "", Tongue()).at("nearest_miss");
+    nlohmann::ordered_json const miss = toJson(missed, "", "", AnswerLanguage()).at("nearest_miss");
     for (char const* const key : {"frame", "what", "by", "unit"}) {
         EXPECT_TRUE(miss.contains(key)) << key;
     }

@@ -35,8 +35,8 @@ Miss ended(Miss const& by) {
 }
 
 /// What is said of that beside the missing time.
-Sentences endOf(Miss const& by, Tongue const& tongue = Tongue()) {
-    Sentences all = sentencesOf(ended(by), tongue);
+Sentences endOf(Miss const& by, AnswerLanguage const& language = AnswerLanguage()) {
+    Sentences all = sentencesOf(ended(by), language);
     all.erase(all.begin());
     return all;
 }
@@ -52,15 +52,15 @@ TEST(Words, WhatHeldForAWhileNeverIsSaidNotToHave) {
                                                                                  "fall.json"));
     Miss const miss = explainedMiss(level, 120);
     ASSERT_EQ(miss.lack, Lack::time);
-    Sentences const english = sentencesOf(miss, Tongue());
+    Sentences const english = sentencesOf(miss, AnswerLanguage());
     ASSERT_EQ(english.size(), 2U);
     EXPECT_EQ(english.back(), "It ceased to be as it should be, at 0.3 s.");
-    EXPECT_EQ(sentencesOf(miss, Tongue(german())).back(),
+    EXPECT_EQ(sentencesOf(miss, AnswerLanguage(german())).back(),
               "Es war nicht mehr so, wie es sein sollte, nach 0,3 s.");
 }
 
 TEST(Words, WhatNeverHeldIsSaidNotToHave) {
-    EXPECT_EQ(sentencesOf(lacking(Lack::change, 1, 60, {"ball"}), Tongue()),
+    EXPECT_EQ(sentencesOf(lacking(Lack::change, 1, 60, {"ball"}), AnswerLanguage()),
               Sentences{"The ball never was as it should be."});
 }
 
@@ -69,11 +69,12 @@ TEST(Words, WhatNeverHeldIsSaidNotToHave) {
 TEST(Words, WhatDidNotHoldAtOneMomentIsNotSaidNeverToHave) {
     Miss part = lacking(Lack::change, 1, 60, {"ball"});
     part.child = 1;
-    EXPECT_EQ(sentencesOf(part, Tongue()), Sentences{"The ball was not as it should be, at 1.0 s."});
+    EXPECT_EQ(sentencesOf(part, AnswerLanguage()), Sentences{"The ball was not as it should be, at 1.0 s."});
     Miss near = lacking(Lack::distance, 0.5, 60, {"ball", "floor"});
     near.besides = {lacking(Lack::change, 1, 0, {"magnet"})};
-    EXPECT_EQ(sentencesOf(near, Tongue()), (Sentences{"The ball came within 50 cm of the floor, at 1.0 s.",
-                                                      "The magnet was not as it should be."}));
+    EXPECT_EQ(sentencesOf(near, AnswerLanguage()),
+              (Sentences{"The ball came within 50 cm of the floor, at 1.0 s.",
+                         "The magnet was not as it should be."}));
 }
 
 TEST(Words, OfWhatHeldTellHowFarItWentAndWhen) {
@@ -112,7 +113,7 @@ TEST(Words, TheForcesAreThoseOfTheMomentAtWhichItCeasedToHold) {
                    "The water would have lifted the raft there with 40 N less than the weight of it and "
                    "all that is tied to it or lies on it, at 1.2 s.",
                    "The load turned the raft with 7 N m more than the water righted it, at 1.2 s."}));
-    Sentences const words = endOf(sunk, Tongue(german()));
+    Sentences const words = endOf(sunk, AnswerLanguage(german()));
     ASSERT_EQ(words.size(), 4U);
     EXPECT_NE(words[0].find(" war 2,00 m vom Ziel entfernt, nach 1,5 s."), std::string::npos) << words[0];
     EXPECT_NE(words[1].find(" dort mit 30 N zu wenig getragen, nach 1,2 s."), std::string::npos) << words[1];
@@ -125,7 +126,7 @@ TEST(Words, TheForcesAreThoseOfTheMomentAtWhichItCeasedToHold) {
             answer.nearest.emplace().nearest = ended(sunk);
             return answer;
         }(),
-        "", "", Tongue());
+        "", "", AnswerLanguage());
     auto const& told = made.at("nearest_miss").at("besides").at(0);
     EXPECT_EQ(told.at("frame"), 90);
     EXPECT_EQ(told.at("besides").at(0).at("frame"), 72);

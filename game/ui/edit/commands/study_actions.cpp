@@ -83,7 +83,7 @@ void searchSolutions(EditParts& parts) {
         return parts.studies->searched().work->stop();
     }
     if (auto now = studiedNow(parts)) {
-        parts.studies->search(std::move(*now), stateOf(parts, false), parts.studies->wishes);
+        parts.studies->search(std::move(*now), stateOf(parts, false), parts.studies->request);
     }
 }
 

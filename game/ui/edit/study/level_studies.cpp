@@ -77,7 +77,7 @@ void LevelStudies::measureCosts(StudiedLevel level, std::string state) {
         });
 }
 
-void LevelStudies::search(StudiedLevel level, std::string state, SearchWishes const& asked) {
+void LevelStudies::search(StudiedLevel level, std::string state, SearchRequest const& asked) {
     retire(search_);
     pictures.forget();
     runsAsked_ = static_cast<std::uint64_t>(asked.runs);

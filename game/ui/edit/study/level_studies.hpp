@@ -46,7 +46,7 @@ struct Study {
     }
 };
 
-struct SearchWishes {
+struct SearchRequest {
     double runs = 2000;
     double seed = 1;
     bool hands = true;
@@ -70,7 +70,7 @@ public:
     // Each ends the former work of its kind.
     void makeReport(StudiedLevel level, std::string state);
     void measureCosts(StudiedLevel level, std::string state);
-    void search(StudiedLevel level, std::string state, SearchWishes const& wishes);
+    void search(StudiedLevel level, std::string state, SearchRequest const& request);
 
     [[nodiscard]] Study<insight::LevelReport> const& report() const { return report_; }
     [[nodiscard]] Study<insight::LevelCosts> const& costs() const { return costs_; }
@@ -85,7 +85,7 @@ public:
     void stopAll();
 
     insight::ReportOptions reportOptions{.maps = true, .costs = false}; ///< of the next report
-    SearchWishes wishes;                                                ///< of the next search
+    SearchRequest request;                                              ///< of the next search
     std::size_t solution = noChoice;                                    ///< the chosen one of the report
     std::size_t placement = 0;                                          ///< its part whose places are shown
     FoundPictures pictures;                                             ///< of the last search

@@ -20,8 +20,8 @@ using namespace render;
 constexpr double mostRuns = 1e8; // as `trembler solve` takes them
 constexpr double mostSeed = 1e9;
 
-void drawWishes(EditParts& parts) {
-    SearchWishes& wishes = parts.studies->wishes;
+void drawRequest(EditParts& parts) {
+    SearchRequest& request = parts.studies->request;
     float const column =
         ImGui::GetCursorPosX() + scaled(10) +
         std::max(ImGui::CalcTextSize(words::runsField).x, ImGui::CalcTextSize(words::seedField).x);
@@ -39,9 +39,9 @@ void drawWishes(EditParts& parts) {
             ImGui::SetTooltip("%s", words::numberTip);
         }
     };
-    whole(words::runsField, "search runs", wishes.runs, 1, mostRuns);
-    whole(words::seedField, "search seed", wishes.seed, 0, mostSeed);
-    render::checkBox((std::string(words::handsField) + "##hands").c_str(), &wishes.hands);
+    whole(words::runsField, "search runs", request.runs, 1, mostRuns);
+    whole(words::seedField, "search seed", request.seed, 0, mostSeed);
+    render::checkBox((std::string(words::handsField) + "##hands").c_str(), &request.hands);
     parts.context.layout.item("search hands");
 }
 
@@ -94,7 +94,7 @@ void drawSearchPage(EditParts& parts) {
     LevelStudies& studies = *parts.studies;
     Study<SearchShown> const& study = studies.searched();
     ImGui::BeginDisabled(study.running());
-    drawWishes(parts);
+    drawRequest(parts);
     ImGui::EndDisabled();
     if (drawWorkButton(parts, study.work.get(), words::startSearch, words::startSearchTip, "search")) {
         actions::searchSolutions(parts);

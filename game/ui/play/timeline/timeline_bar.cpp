@@ -157,7 +157,7 @@ std::string wordsOf(Mark const& mark) {
     return names.empty() ? name : name + ": " + names;
 }
 
-TimelineWish drawTimelineBar(CommandButtons& buttons, Timeline const& timeline) {
+TimelineRequest drawTimelineBar(CommandButtons& buttons, Timeline const& timeline) {
     Layout& layout = buttons.layout();
     float const width = ImGui::GetIO().DisplaySize.x / theme().scale - 2 * cardGap;
     layout.beginCard(
@@ -180,11 +180,11 @@ TimelineWish drawTimelineBar(CommandButtons& buttons, Timeline const& timeline) 
     drawTrack(list, timeline, track);
     Mark const* const mark = drawMarks(list, timeline, track, hovered && !(held && !pressed));
     drawKnob(list, timeline, track);
-    TimelineWish wish;
+    TimelineRequest request;
     std::optional<std::uint64_t> wanted;
     float const strayed = std::sqrt(ImGui::GetIO().MouseDragMaxDistanceSqr[ImGuiMouseButton_Left]);
     if (ImGui::IsItemDeactivated() && mark != nullptr && strayed < ImGui::GetIO().MouseDragThreshold) {
-        wish.why = *mark;
+        request.why = *mark;
     }
     if (held) {
         wanted = pressed && mark != nullptr ? mark->frame : track.frameAt(ImGui::GetIO().MousePos.x);
@@ -212,9 +212,9 @@ TimelineWish drawTimelineBar(CommandButtons& buttons, Timeline const& timeline) 
     }
     layout.endCard();
     if (wanted && *wanted != timeline.frame()) {
-        wish.frame = wanted;
+        request.frame = wanted;
     }
-    return wish;
+    return request;
 }
 
 } // namespace trembler::ui

@@ -14,13 +14,13 @@ inline constexpr float trackFromLeft = 3 * 44;
 inline constexpr float trackFromRight = 4 * 44 + 112;
 
 /// What the player asks of the timeline.
-struct TimelineWish {
+struct TimelineRequest {
     std::optional<std::uint64_t> frame; ///< to be shown; another one than is shown
     std::optional<insight::Mark> why;   ///< was clicked
 };
 
 /// Draws the card "timeline" and lets the mouse drag along the track. Between Gui::beginFrame and endFrame.
-[[nodiscard]] TimelineWish drawTimelineBar(CommandButtons& buttons, Timeline const& timeline);
+[[nodiscard]] TimelineRequest drawTimelineBar(CommandButtons& buttons, Timeline const& timeline);
 
 /// What happened, for people: "Contact: switch, left contact".
 [[nodiscard]] std::string wordsOf(insight::Mark const& mark);

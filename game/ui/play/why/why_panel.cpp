@@ -37,9 +37,9 @@ std::vector<StepKind> kindsOf(MarkKind kind) {
 
 } // namespace
 
-insight::Tongue tongueInUse() {
+insight::AnswerLanguage tongueInUse() {
     Catalogue const* const catalogue = catalogueInUse();
-    return catalogue == nullptr ? insight::Tongue() : insight::Tongue(*catalogue);
+    return catalogue == nullptr ? insight::AnswerLanguage() : insight::AnswerLanguage(*catalogue);
 }
 
 WhyPanel::WhyPanel(Registry const& registry, PartLibrary const& parts, std::shared_ptr<GameData const> data,
@@ -124,7 +124,7 @@ void WhyPanel::askMark(insight::Mark const& mark) {
         return;
     }
     insight::Question question;
-    question.happening = insight::Happening{mark.frame, mark.objects, kindsOf(mark.kind)};
+    question.sighted = insight::SightedEvent{mark.frame, mark.objects, kindsOf(mark.kind)};
     ask(std::move(question), {.goal = {}, .object = {}, .mark = mark});
 }
 
@@ -210,13 +210,14 @@ std::vector<std::string> WhyPanel::lines() const {
     if (!answer_) {
         return all;
     }
-    insight::Tongue const tongue = tongueInUse();
+    insight::AnswerLanguage const language = tongueInUse();
     if (!answer_->happened) {
-        return sentencesOf(*answer_, goalText(answer_->goal), tongue);
+        return sentencesOf(*answer_, goalText(answer_->goal), language);
     }
     for (insight::ChainStep const& one : answer_->chain) {
         all.push_back(
-            words::capital(clausesOf(one.step, answer_->facts, goalText(answer_->goal), tongue).main) + ".");
+            words::capital(clausesOf(one.step, answer_->facts, goalText(answer_->goal), language).main) +
+            ".");
     }
     return all;
 }

@@ -17,7 +17,7 @@ namespace trembler::ui {
 class LevelText;
 
 /// The clauses of answers in the language in use; valid until useLanguage().
-[[nodiscard]] insight::Tongue tongueInUse();
+[[nodiscard]] insight::AnswerLanguage tongueInUse();
 
 /// Asks about the session's run as the player did it, or, while building, about the last run, and shows the
 /// answer. Never changes the session. Window thread only.

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 auto const breezeLevel = dataFolder() / "breeze.json";
 
 lua::Value speedOf(Player& player) {
-    return player.play().workshop()->users(0).front().values.at("speed");
+    return player.play().liveMods()->users(0).front().values.at("speed");
 }
 
 class ModsPanelSizes : public testing::TestWithParam<render::Size> {};
@@ -102,13 +102,13 @@ TEST(ModsPanel, ASwitchRestsTheScriptAndNothingIsCelebrated) {
     Player player;
     openBreeze(player);
     player.clickItem("switch of Dynamics <- Breeze");
-    EXPECT_FALSE(player.play().workshop()->scripts().front().live->on());
+    EXPECT_FALSE(player.play().liveMods()->scripts().front().live->on());
     player.key(SDLK_SPACE);
     player.simulate(64);
     EXPECT_TRUE(player.session().altered());
     EXPECT_FALSE(player.showsCard("success"));
     player.clickItem("switch of Dynamics <- Breeze");
-    EXPECT_TRUE(player.play().workshop()->scripts().front().live->on());
+    EXPECT_TRUE(player.play().liveMods()->scripts().front().live->on());
 }
 
 TEST(ModsPanel, ALevelWithoutModsHasNoButtonAndTheKeySaysSo) {
@@ -119,7 +119,7 @@ TEST(ModsPanel, ALevelWithoutModsHasNoButtonAndTheKeySaysSo) {
     player.key(SDLK_m);
     EXPECT_EQ(player.app().context().toasts.count(), toasts + 1);
     EXPECT_FALSE(player.showsCard("mods"));
-    EXPECT_EQ(player.play().workshop(), nullptr);
+    EXPECT_EQ(player.play().liveMods(), nullptr);
 }
 
 /// A mod and a level of the test's own, in its folder.
@@ -164,7 +164,7 @@ TEST_F(SavedScripts, AreUsedByTheRunningWorldWithinASecond) {
     auto const toasts = player.app().context().toasts.count();
     player.frames(40); // of a sixtieth of a second each: no clock is waited for
     EXPECT_EQ(player.app().context().toasts.count(), toasts + 1);
-    EXPECT_EQ(player.play().workshop()->scripts().front().saved, 1);
+    EXPECT_EQ(player.play().liveMods()->scripts().front().saved, 1);
     double const then = speedOfBox(player);
     player.simulate(32);
     EXPECT_LT(speedOfBox(player), then);
@@ -179,7 +179,7 @@ TEST_F(SavedScripts, WithAMistakeLeaveTheOldOneAndTheMessageIsOnThePanel) {
     player.simulate(16);
     save("out.addForce(object vec2(-10, 0))");
     player.frames(40);
-    WorkshopScript const& script = player.play().workshop()->scripts().front();
+    ModScript const& script = player.play().liveMods()->scripts().front();
     ASSERT_EQ(script.refused.size(), 1U);
     EXPECT_NE(script.refused.front().find("push.lua:6:"), std::string::npos) << script.refused.front();
     expectTidy(player, "a file that is not used");
@@ -218,7 +218,7 @@ TEST_F(SavedScripts, WakeAWindowAtRest) {
         ++frames;
     }
     EXPECT_LT(frames, 60) << "a second";
-    EXPECT_EQ(player.play().workshop()->scripts().front().saved, 1);
+    EXPECT_EQ(player.play().liveMods()->scripts().front().saved, 1);
     EXPECT_EQ(player.app().context().toasts.count(), 1U);
 }
 

@@ -35,7 +35,7 @@ public:
     void openFirst() {
         editCopyOf(firstContact);
         studies().reportOptions = briefReport();
-        studies().wishes.runs = 80;
+        studies().request.runs = 80;
     }
     /// Until the work has ended, and is shown.
     template <class Result>
@@ -308,7 +308,7 @@ TEST(EditorSearch, PlaysWhatItFound) {
 TEST(EditorSearch, StopsAtAnyTimeWithWhatItHas) {
     Examiner designer;
     designer.openFirst();
-    designer.studies().wishes.runs = 1e8;
+    designer.studies().request.runs = 1e8;
     designer.ctrl(SDLK_f);
     for (int i = 0; i < 100'000 && designer.studies().searched().result() == nullptr; ++i) {
         designer.frame();

@@ -12,7 +12,7 @@
 namespace trembler::ui {
 
 /// Window thread only.
-class SolutionShelf {
+class LoadableSolutions {
 public:
     struct Item {
         std::string name;
@@ -20,9 +20,9 @@ public:
     };
 
     /// `load` places a solution; it throws InputError if that does not fit. All must outlive this.
-    SolutionShelf(SavedSolutions const& saved, std::string levelId, Registry const& registry,
-                  Session const& session, CampaignProgress const& progress,
-                  std::function<void(Solution const&)> load)
+    LoadableSolutions(SavedSolutions const& saved, std::string levelId, Registry const& registry,
+                      Session const& session, CampaignProgress const& progress,
+                      std::function<void(Solution const&)> load)
         : saved_(saved), id_(std::move(levelId)), registry_(registry), session_(session), progress_(progress),
           load_(std::move(load)) {}
 

@@ -1,4 +1,4 @@
-#include "game/ui/play/keeping/solution_shelf.hpp"
+#include "game/ui/play/keeping/loadable_solutions.hpp"
 
 #include "game/ui/shared/shown_faults.hpp"
 #include "puzzle/solutions/solution_file.hpp"
@@ -27,7 +27,7 @@ std::string_view actionOf(RecordedInput const& input) {
 
 } // namespace
 
-bool SolutionShelf::isFound(Solution const& recorded) const {
+bool LoadableSolutions::isFound(Solution const& recorded) const {
     std::set<std::string> parts;
     for (Placement const& placement : recorded.placements) {
         parts.insert(placement.part);
@@ -44,7 +44,7 @@ bool SolutionShelf::isFound(Solution const& recorded) const {
            });
 }
 
-void SolutionShelf::refresh() {
+void LoadableSolutions::refresh() {
     mine_ = saved_.of(id_);
     items_.clear();
     for (SavedSolution const& saved : mine_) {
@@ -57,7 +57,7 @@ void SolutionShelf::refresh() {
     }
 }
 
-std::string SolutionShelf::load(std::size_t index) {
+std::string LoadableSolutions::load(std::size_t index) {
     try {
         std::string const source = index < mine_.size() ? mine_[index].file.string() : items_.at(index).name;
         load_(findOrLoadSolution(registry_, session_.level(), source));
@@ -67,7 +67,7 @@ std::string SolutionShelf::load(std::size_t index) {
     return {};
 }
 
-std::string SolutionShelf::rename(std::size_t index, std::string const& name) {
+std::string LoadableSolutions::rename(std::size_t index, std::string const& name) {
     try {
         SavedSolutions::rename(mine_.at(index), name);
     } catch (std::exception const& error) {
@@ -77,7 +77,7 @@ std::string SolutionShelf::rename(std::size_t index, std::string const& name) {
     return {};
 }
 
-std::string SolutionShelf::remove(std::size_t index) {
+std::string LoadableSolutions::remove(std::size_t index) {
     std::string why = SavedSolutions::remove(mine_.at(index));
     refresh();
     return why;

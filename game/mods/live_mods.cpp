@@ -1,4 +1,4 @@
-#include "game/mods/workshop.hpp"
+#include "game/mods/live_mods.hpp"
 
 #include "lua/attach/parameter_value.hpp"
 #include "lua/attach/scripts_property.hpp"
@@ -43,12 +43,12 @@ auto* useIn(Scripts& scripts, std::string const& name) {
 
 } // namespace
 
-Workshop::Workshop(GameData const& gameData, Session& session) : gameData_(gameData), session_(session) {
+LiveMods::LiveMods(GameData const& gameData, Session& session) : gameData_(gameData), session_(session) {
     std::vector<std::filesystem::path> paths;
     for (auto const& live : gameData.scripts->all()) {
         auto const mod = std::find_if(gameData.mods.begin(), gameData.mods.end(),
                                       [&](lua::Mod const& one) { return one.name == live->mod(); });
-        WorkshopScript& script = scripts_.emplace_back();
+        ModScript& script = scripts_.emplace_back();
         script.live = live;
         script.mod = mod == gameData.mods.end() ? nullptr : &*mod;
         files_.push_back(live->shared());
@@ -60,17 +60,17 @@ Workshop::Workshop(GameData const& gameData, Session& session) : gameData_(gameD
     }
 }
 
-Workshop::~Workshop() {
+LiveMods::~LiveMods() {
     if (!scripts_.empty()) {
         session_.whenBuilt({});
     }
 }
 
-std::vector<WorkshopNews> Workshop::takeNews() {
+std::vector<ModMessage> LiveMods::takeNews() {
     return std::exchange(news_, {});
 }
 
-void Workshop::pass(double seconds) {
+void LiveMods::pass(double seconds) {
     if (scripts_.empty()) {
         return;
     }
@@ -82,9 +82,9 @@ void Workshop::pass(double seconds) {
     }
 }
 
-void Workshop::collect() {
+void LiveMods::collect() {
     for (lua::ScriptMessage& message : gameData_.scriptLog->take()) {
-        auto const at = std::find_if(scripts_.begin(), scripts_.end(), [&](WorkshopScript const& script) {
+        auto const at = std::find_if(scripts_.begin(), scripts_.end(), [&](ModScript const& script) {
             return script.live->name() == message.script;
         });
         if (at == scripts_.end()) {
@@ -102,7 +102,7 @@ void Workshop::collect() {
     }
 }
 
-void Workshop::look() {
+void LiveMods::look() {
     if (watch_ == nullptr) {
         return;
     }
@@ -111,8 +111,8 @@ void Workshop::look() {
     }
 }
 
-void Workshop::reload(std::size_t number, FileWatch::Change const& change) {
-    WorkshopScript& script = scripts_[number];
+void LiveMods::reload(std::size_t number, FileWatch::Change const& change) {
+    ModScript& script = scripts_[number];
     Problems problems;
     std::shared_ptr<lua::Script const> made;
     if (!change.text) {
@@ -146,7 +146,7 @@ void Workshop::reload(std::size_t number, FileWatch::Change const& change) {
     tell(fmt::format("{} is in use as it was saved", file));
 }
 
-std::optional<std::string> Workshop::put(std::size_t number, std::shared_ptr<lua::Script const> made) {
+std::optional<std::string> LiveMods::put(std::size_t number, std::shared_ptr<lua::Script const> made) {
     lua::LiveScript& live = *scripts_[number].live;
     auto const before = live.shared();
     live.publish(std::move(made));
@@ -165,9 +165,9 @@ std::optional<std::string> Workshop::put(std::size_t number, std::shared_ptr<lua
 }
 
 // A world was built for what its scripts read then. What they read besides has to be computed, too.
-void Workshop::wantReads() {
+void LiveMods::wantReads() {
     reads_.clear();
-    for (WorkshopScript const& script : scripts_) {
+    for (ModScript const& script : scripts_) {
         for (PropertyInfo const* const read : script.live->info().reads) {
             if (read->kind != PropertyKind::object) {
                 reads_.push_back(session_.world().want(*read));
@@ -176,7 +176,7 @@ void Workshop::wantReads() {
     }
 }
 
-void Workshop::worldBuilt() {
+void LiveMods::worldBuilt() {
     reads_.clear();
     for (std::size_t i = 0; i < scripts_.size(); ++i) {
         scripts_[i].failure.reset();
@@ -191,8 +191,8 @@ void Workshop::worldBuilt() {
     }
 }
 
-void Workshop::setOn(std::size_t number, bool on) {
-    WorkshopScript& script = scripts_[number];
+void LiveMods::setOn(std::size_t number, bool on) {
+    ModScript& script = scripts_[number];
     if (on == script.live->on()) {
         return;
     }
@@ -204,8 +204,8 @@ void Workshop::setOn(std::size_t number, bool on) {
     }
 }
 
-void Workshop::setDefault(std::size_t number, std::string const& parameter, lua::Value const& value) {
-    WorkshopScript& script = scripts_[number];
+void LiveMods::setDefault(std::size_t number, std::string const& parameter, lua::Value const& value) {
+    ModScript& script = scripts_[number];
     lua::Parameter const* const declared = files_[number]->manifest.parameter(parameter);
     if (declared == nullptr || lua::faultOf(*declared, value)) {
         return;
@@ -220,7 +220,7 @@ void Workshop::setDefault(std::size_t number, std::string const& parameter, lua:
     session_.alter(tunedWhy);
 }
 
-void Workshop::setFor(std::size_t number, LastingObject const& object, std::string const& parameter,
+void LiveMods::setFor(std::size_t number, LastingObject const& object, std::string const& parameter,
                       lua::Value const& value) {
     lua::Parameter const* const declared = files_[number]->manifest.parameter(parameter);
     if (declared == nullptr || lua::faultOf(*declared, value)) {
@@ -244,7 +244,7 @@ void Workshop::setFor(std::size_t number, LastingObject const& object, std::stri
     apply(*at);
 }
 
-void Workshop::apply(Tuned const& tuned) {
+void LiveMods::apply(Tuned const& tuned) {
     ObjectId const id = session_.find(tuned.object);
     std::string const& name = scripts_[tuned.script].live->name();
     session_.alter(tunedWhy, [&](World& world) {
@@ -264,11 +264,11 @@ void Workshop::apply(Tuned const& tuned) {
     });
 }
 
-void Workshop::asStated(std::size_t number) {
+void LiveMods::asStated(std::size_t number) {
     if (!changed(number)) {
         return;
     }
-    WorkshopScript& script = scripts_[number];
+    ModScript& script = scripts_[number];
     script.defaults.clear();
     script.live->setOn(true);
     script.live->publish(files_[number]);
@@ -285,14 +285,14 @@ void Workshop::asStated(std::size_t number) {
     }
 }
 
-bool Workshop::changed(std::size_t number) const {
-    WorkshopScript const& script = scripts_[number];
+bool LiveMods::changed(std::size_t number) const {
+    ModScript const& script = scripts_[number];
     return !script.live->on() || !script.defaults.empty() ||
            std::any_of(tuned_.begin(), tuned_.end(),
                        [&](Tuned const& tuned) { return tuned.script == number; });
 }
 
-std::vector<ScriptUser> Workshop::users(std::size_t number) const {
+std::vector<ScriptUser> LiveMods::users(std::size_t number) const {
     std::vector<ScriptUser> all;
     lua::LiveScript const& live = *scripts_[number].live;
     Store const& store = session_.world().store();

@@ -23,7 +23,7 @@ struct ScriptUser {
 };
 
 /// A script as the player sees it.
-struct WorkshopScript {
+struct ModScript {
     std::shared_ptr<lua::LiveScript> live;
     lua::Mod const* mod = nullptr;
     std::map<std::string, lua::Value> defaults; ///< by parameter: changed here, for all that state none
@@ -34,7 +34,7 @@ struct WorkshopScript {
 };
 
 /// Something to tell the player.
-struct WorkshopNews {
+struct ModMessage {
     std::string text;
     bool trouble = false;
 };
@@ -44,22 +44,22 @@ struct WorkshopNews {
 /// replaced, switched or given other parameters counts as no solution (Session::altered()); a later run
 /// counts if the scripts are as their files say and the parameters as the level states them. Needs no window.
 /// Not thread-safe.
-class Workshop {
+class LiveMods {
 public:
     /// Both must outlive it. Of game data without mods there is nothing to do.
-    Workshop(GameData const& gameData, Session& session);
-    ~Workshop();
-    Workshop(Workshop const&) = delete;
-    Workshop& operator=(Workshop const&) = delete;
+    LiveMods(GameData const& gameData, Session& session);
+    ~LiveMods();
+    LiveMods(LiveMods const&) = delete;
+    LiveMods& operator=(LiveMods const&) = delete;
 
-    [[nodiscard]] std::vector<WorkshopScript> const& scripts() const { return scripts_; }
+    [[nodiscard]] std::vector<ModScript> const& scripts() const { return scripts_; }
 
     /// Collects what the scripts have said, and looks at their files when enough of `seconds` have passed.
     void pass(double seconds);
     /// Looks at the files now.
     void look();
     /// What is new since the last call, for messages on the screen.
-    [[nodiscard]] std::vector<WorkshopNews> takeNews();
+    [[nodiscard]] std::vector<ModMessage> takeNews();
 
     // `script` is a place in scripts().
 
@@ -96,13 +96,13 @@ private:
 
     GameData const& gameData_;
     Session& session_;
-    std::vector<WorkshopScript> scripts_;
+    std::vector<ModScript> scripts_;
     std::vector<std::shared_ptr<lua::Script const>>
         files_; // of each: as its file says, without other defaults
     std::unique_ptr<FileWatch> watch_;
     std::vector<Tuned> tuned_;
     std::vector<Subscription> reads_; // of versions that read more than the world was built for
-    std::vector<WorkshopNews> news_;
+    std::vector<ModMessage> news_;
     double sinceLook_ = 0; // s
 };
 

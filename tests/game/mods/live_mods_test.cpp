@@ -1,5 +1,5 @@
 // Scripts that are saved, switched and given other parameters while their level is played.
-#include "game/mods/workshop.hpp"
+#include "game/mods/live_mods.hpp"
 #include "physics/dynamics/properties/body.hpp"
 #include "runtime/level/read/read_level.hpp"
 #include "runtime/placement.hpp"
@@ -30,11 +30,11 @@ std::string pushing(std::string const& body, std::string const& more = "") {
 std::string const push = "out.addForce(object, vec2(params.force, 0))";
 
 /// A mod in a folder of its own and a level with two boxes of 10 kg that name its script.
-class InTheWorkshop : public testing::Test {
+class WithLiveMods : public testing::Test {
 protected:
     void SetUp() override {
         folder = fs::path(testing::TempDir()) /
-                 fmt::format("trembler-workshop-{}-{}", ::getpid(),
+                 fmt::format("trembler-live-mods-{}-{}", ::getpid(),
                              testing::UnitTest::GetInstance()->current_test_info()->name());
         fs::create_directories(folder / "pushing/interactions");
         std::ofstream(folder / "pushing/mod.json")
@@ -42,7 +42,7 @@ protected:
         save(pushing(push));
     }
     void TearDown() override {
-        workshop.reset();
+        liveMods.reset();
         session.reset();
         game.reset();
         fs::remove_all(folder);
@@ -71,18 +71,18 @@ protected:
             box("a", 0, ""), box("b", 5, set));
         session = std::make_unique<Session>(
             game->registry, game->parts, readLevel(game->registry, JsonDocument::parse(text, "test.json")));
-        workshop = std::make_unique<Workshop>(*game, *session);
+        liveMods = std::make_unique<LiveMods>(*game, *session);
     }
     void steps(int count) {
         for (int i = 0; i < count; ++i) {
             session->step();
         }
-        workshop->pass(0);
+        liveMods->pass(0);
     }
     /// Looks twice, as a file that changes is read at the second look.
     void look() {
-        workshop->look();
-        workshop->look();
+        liveMods->look();
+        liveMods->look();
     }
     [[nodiscard]] double speed(std::string const& name) const {
         World const& world = session->world();
@@ -90,7 +90,7 @@ protected:
     }
     std::string news() {
         std::string all;
-        for (WorkshopNews const& one : workshop->takeNews()) {
+        for (ModMessage const& one : liveMods->takeNews()) {
             all += (one.trouble ? "trouble: " : "") + one.text + "\n";
         }
         return all;
@@ -100,7 +100,7 @@ protected:
     int saves = 0;
     std::unique_ptr<GameData const> game;
     std::unique_ptr<Session> session;
-    std::unique_ptr<Workshop> workshop;
+    std::unique_ptr<LiveMods> liveMods;
 };
 
 // 10 N on 10 kg are 1/60 m/s in each frame after the first, whose call the second carries out.
@@ -108,7 +108,7 @@ double after(int frames, double force = 10) {
     return (frames - 1) / 60.0 * force / 10;
 }
 
-TEST_F(InTheWorkshop, ASavedScriptTakesOverBetweenTwoFrames) {
+TEST_F(WithLiveMods, ASavedScriptTakesOverBetweenTwoFrames) {
     open();
     steps(61);
     EXPECT_NEAR(speed("a"), after(61), 1e-5);
@@ -119,10 +119,10 @@ TEST_F(InTheWorkshop, ASavedScriptTakesOverBetweenTwoFrames) {
     EXPECT_NEAR(speed("a"), after(62), 1e-5);
     steps(60);
     EXPECT_NEAR(speed("a"), after(62) - 1, 1e-5);
-    EXPECT_EQ(workshop->scripts().front().saved, 1);
+    EXPECT_EQ(liveMods->scripts().front().saved, 1);
 }
 
-TEST_F(InTheWorkshop, ARunInWhichAScriptWasReplacedCountsAsNoSolution) {
+TEST_F(WithLiveMods, ARunInWhichAScriptWasReplacedCountsAsNoSolution) {
     open();
     steps(30);
     EXPECT_TRUE(session->solved());
@@ -139,7 +139,7 @@ TEST_F(InTheWorkshop, ARunInWhichAScriptWasReplacedCountsAsNoSolution) {
     EXPECT_TRUE(session->record("").solves);
 }
 
-TEST_F(InTheWorkshop, ARunAfterASavingIsTheSameAsInAProgramThatFoundTheFileSo) {
+TEST_F(WithLiveMods, ARunAfterASavingIsTheSameAsInAProgramThatFoundTheFileSo) {
     open();
     steps(7);
     std::string const text = pushing("out.addForce(object, vec2(2 * params.force, 1))");
@@ -148,13 +148,13 @@ TEST_F(InTheWorkshop, ARunAfterASavingIsTheSameAsInAProgramThatFoundTheFileSo) {
     session->stop();
     steps(50);
     std::uint64_t const hash = session->world().stateHash();
-    workshop.reset();
+    liveMods.reset();
     open();
     steps(50);
     EXPECT_EQ(session->world().stateHash(), hash);
 }
 
-TEST_F(InTheWorkshop, AnErrorLeavesTheOldVersionAndIsShownWithFileAndLine) {
+TEST_F(WithLiveMods, AnErrorLeavesTheOldVersionAndIsShownWithFileAndLine) {
     open();
     steps(10);
     save(pushing("out.addForce(object vec2(1, 0))"));
@@ -162,7 +162,7 @@ TEST_F(InTheWorkshop, AnErrorLeavesTheOldVersionAndIsShownWithFileAndLine) {
     std::string const said = news();
     EXPECT_NE(said.find("trouble: push.lua is not used"), std::string::npos) << said;
     EXPECT_NE(said.find("push.lua:6:"), std::string::npos) << said;
-    EXPECT_EQ(workshop->scripts().front().refused.size(), 1U);
+    EXPECT_EQ(liveMods->scripts().front().refused.size(), 1U);
     EXPECT_FALSE(session->altered());
     steps(51);
     EXPECT_NEAR(speed("a"), after(61), 1e-5) << "the old version goes on";
@@ -182,10 +182,10 @@ TEST_F(InTheWorkshop, AnErrorLeavesTheOldVersionAndIsShownWithFileAndLine) {
     save(pushing(push));
     look();
     EXPECT_EQ(news(), "push.lua is in use as it was saved\n");
-    EXPECT_TRUE(workshop->scripts().front().refused.empty());
+    EXPECT_TRUE(liveMods->scripts().front().refused.empty());
 }
 
-TEST_F(InTheWorkshop, AVersionThatTheLevelDoesNotFitIsRefused) {
+TEST_F(WithLiveMods, AVersionThatTheLevelDoesNotFitIsRefused) {
     open(R"({"param": "force", "number": 20})");
     steps(10);
     std::string text = pushing(push);
@@ -198,14 +198,14 @@ TEST_F(InTheWorkshop, AVersionThatTheLevelDoesNotFitIsRefused) {
     EXPECT_NO_THROW(session->stop());
 }
 
-TEST_F(InTheWorkshop, StateIsKeptWhereTheDeclarationsAgree) {
+TEST_F(WithLiveMods, StateIsKeptWhereTheDeclarationsAgree) {
     std::string const counting = "store.object.turns = store.object.turns + 1\n"
                                  "store.script.all = store.script.all + 1\n"
                                  "log(store.object.turns, store.script.all)";
     save(pushing(counting, "restless = true, store = { object = { turns = 0 }, script = { all = 0 } },"));
     open();
     steps(3);
-    EXPECT_EQ(workshop->scripts().front().log.back(), "3 6");
+    EXPECT_EQ(liveMods->scripts().front().log.back(), "3 6");
     // 'all' is a text now and begins again; 'turns' goes on; 'fresh' is new.
     save(pushing(
         "store.object.turns = store.object.turns + 1\n"
@@ -214,10 +214,10 @@ TEST_F(InTheWorkshop, StateIsKeptWhereTheDeclarationsAgree) {
         "restless = true, store = { object = { turns = 0, fresh = 10 }, script = { all = 'none' } },"));
     look();
     steps(1);
-    EXPECT_EQ(workshop->scripts().front().log.back(), "4 11 none");
+    EXPECT_EQ(liveMods->scripts().front().log.back(), "4 11 none");
 }
 
-TEST_F(InTheWorkshop, ANewVersionMayReadMore) {
+TEST_F(WithLiveMods, ANewVersionMayReadMore) {
     open();
     steps(10);
     std::string text = pushing("log(#world.contacts.current, object.Velocity.value.x > 0)");
@@ -225,35 +225,35 @@ TEST_F(InTheWorkshop, ANewVersionMayReadMore) {
     save(text);
     look();
     steps(2);
-    EXPECT_FALSE(workshop->scripts().front().failure);
-    ASSERT_FALSE(workshop->scripts().front().log.empty());
-    EXPECT_EQ(workshop->scripts().front().log.back(), "0 true");
+    EXPECT_FALSE(liveMods->scripts().front().failure);
+    ASSERT_FALSE(liveMods->scripts().front().log.empty());
+    EXPECT_EQ(liveMods->scripts().front().log.back(), "0 true");
 }
 
-TEST_F(InTheWorkshop, AScriptThatFailsIsReportedOnceInARunAndTheWorldGoesOn) {
+TEST_F(WithLiveMods, AScriptThatFailsIsReportedOnceInARunAndTheWorldGoesOn) {
     save(pushing("error('oh no')"));
     open();
     steps(20);
     EXPECT_EQ(news(), "trouble: Dynamics <- Push is switched off: push.lua:6: oh no\n");
-    ASSERT_TRUE(workshop->scripts().front().failure);
-    EXPECT_NE(workshop->scripts().front().failure->traceback, "");
-    EXPECT_TRUE(workshop->scripts().front().live->failed());
+    ASSERT_TRUE(liveMods->scripts().front().failure);
+    EXPECT_NE(liveMods->scripts().front().failure->traceback, "");
+    EXPECT_TRUE(liveMods->scripts().front().live->failed());
     EXPECT_EQ(session->world().frame(), 20U);
     EXPECT_EQ(news(), "");
     save(pushing(push)); // mended while the world runs
     look();
-    EXPECT_FALSE(workshop->scripts().front().failure);
+    EXPECT_FALSE(liveMods->scripts().front().failure);
     steps(61);
     EXPECT_NEAR(speed("a"), after(61), 1e-5);
     session->stop();
     EXPECT_EQ(news(), "push.lua is in use as it was saved\n");
 }
 
-TEST_F(InTheWorkshop, ASwitchedOffScriptTakesItsForcesBack) {
+TEST_F(WithLiveMods, ASwitchedOffScriptTakesItsForcesBack) {
     open();
     steps(61);
-    workshop->setOn(0, false);
-    EXPECT_TRUE(workshop->changed(0));
+    liveMods->setOn(0, false);
+    EXPECT_TRUE(liveMods->changed(0));
     EXPECT_TRUE(session->altered());
     steps(30);
     EXPECT_NEAR(speed("a"), after(61), 1e-5);
@@ -261,37 +261,37 @@ TEST_F(InTheWorkshop, ASwitchedOffScriptTakesItsForcesBack) {
     EXPECT_TRUE(session->altered()) << "it is still off";
     steps(30);
     EXPECT_EQ(speed("a"), 0);
-    workshop->setOn(0, true);
+    liveMods->setOn(0, true);
     steps(61);
     EXPECT_NEAR(speed("a"), after(61), 1e-5);
     session->stop();
     EXPECT_FALSE(session->altered());
 }
 
-TEST_F(InTheWorkshop, ParametersChangeForAllThatStateNone) {
+TEST_F(WithLiveMods, ParametersChangeForAllThatStateNone) {
     open(R"({"param": "force", "number": 20})");
-    workshop->setDefault(0, "force", 50.0);
-    EXPECT_TRUE(workshop->changed(0));
+    liveMods->setDefault(0, "force", 50.0);
+    EXPECT_TRUE(liveMods->changed(0));
     EXPECT_TRUE(session->altered());
-    workshop->setDefault(0, "force", 500.0);
-    workshop->setDefault(0, "force", true);
-    workshop->setDefault(0, "farce", 5.0);
-    EXPECT_EQ(workshop->scripts().front().defaults.at("force"), lua::Value(50.0)) << "those are no values";
+    liveMods->setDefault(0, "force", 500.0);
+    liveMods->setDefault(0, "force", true);
+    liveMods->setDefault(0, "farce", 5.0);
+    EXPECT_EQ(liveMods->scripts().front().defaults.at("force"), lua::Value(50.0)) << "those are no values";
     steps(61);
     EXPECT_NEAR(speed("a"), after(61, 50), 1e-4);
     EXPECT_NEAR(speed("b"), after(61, 20), 1e-4);
-    workshop->setDefault(0, "force", 10.0);
-    EXPECT_FALSE(workshop->changed(0));
+    liveMods->setDefault(0, "force", 10.0);
+    EXPECT_FALSE(liveMods->changed(0));
 }
 
-TEST_F(InTheWorkshop, ParametersChangeForOneObjectInThisWorldAndTheNext) {
+TEST_F(WithLiveMods, ParametersChangeForOneObjectInThisWorldAndTheNext) {
     open(R"({"param": "force", "number": 20})");
-    auto const users = workshop->users(0);
+    auto const users = liveMods->users(0);
     ASSERT_EQ(users.size(), 2U);
     EXPECT_EQ(users[1].name, "b");
     EXPECT_EQ(users[0].values.at("force"), lua::Value(10.0));
     EXPECT_EQ(users[1].values.at("force"), lua::Value(20.0));
-    workshop->setFor(0, users[1].object, "force", 40.0);
+    liveMods->setFor(0, users[1].object, "force", 40.0);
     for (int run = 0; run < 2; ++run) {
         steps(61);
         EXPECT_NEAR(speed("a"), after(61), 1e-4);
@@ -299,18 +299,18 @@ TEST_F(InTheWorkshop, ParametersChangeForOneObjectInThisWorldAndTheNext) {
         session->stop();
     }
     EXPECT_TRUE(session->altered());
-    workshop->asStated(0);
+    liveMods->asStated(0);
     EXPECT_FALSE(session->altered());
-    EXPECT_EQ(workshop->users(0)[1].values.at("force"), lua::Value(20.0));
+    EXPECT_EQ(liveMods->users(0)[1].values.at("force"), lua::Value(20.0));
     steps(61);
     EXPECT_NEAR(speed("b"), after(61, 20), 1e-4);
 }
 
-TEST_F(InTheWorkshop, ItIsSeenWhatAScriptUses) {
+TEST_F(WithLiveMods, ItIsSeenWhatAScriptUses) {
     open();
-    EXPECT_FALSE(workshop->scripts().front().live->usage());
+    EXPECT_FALSE(liveMods->scripts().front().live->usage());
     steps(2);
-    auto const usage = workshop->scripts().front().live->usage();
+    auto const usage = liveMods->scripts().front().live->usage();
     ASSERT_TRUE(usage);
     EXPECT_EQ(usage->targets, 2U);
     EXPECT_GT(usage->mostInstructions, usage->instructions);
