@@ -3,7 +3,7 @@
 #include "runtime/file/output_file.hpp"
 #include "runtime/level/json/diagnostic.hpp"
 #include "runtime/level/json/json_node.hpp"
-#include "runtime/level/read/read_solutions.hpp"
+#include "runtime/level/read/solutions/read_solutions.hpp"
 #include "runtime/level/write/write_level.hpp"
 
 #include <fmt/format.h>

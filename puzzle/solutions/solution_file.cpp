@@ -2,8 +2,8 @@
 
 #include "runtime/level/json/add_problem.hpp"
 #include "runtime/level/model/change_fault.hpp"
-#include "runtime/level/read/check_inputs.hpp"
-#include "runtime/level/read/read_solutions.hpp"
+#include "runtime/level/read/solutions/check_inputs.hpp"
+#include "runtime/level/read/solutions/read_solutions.hpp"
 
 #include <fmt/format.h>
 

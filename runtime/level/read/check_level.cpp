@@ -4,7 +4,7 @@
 #include "runtime/level/json/add_problem.hpp"
 #include "runtime/level/json/suggestion.hpp"
 #include "runtime/level/model/change_fault.hpp"
-#include "runtime/level/read/check_inputs.hpp"
+#include "runtime/level/read/solutions/check_inputs.hpp"
 
 #include <fmt/format.h>
 

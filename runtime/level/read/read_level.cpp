@@ -8,10 +8,10 @@
 #include "runtime/level/read/read_editor.hpp"
 #include "runtime/level/read/read_entries.hpp"
 #include "runtime/level/read/read_extensions.hpp"
-#include "runtime/level/read/read_solutions.hpp"
 #include "runtime/level/read/read_teaching.hpp"
 #include "runtime/level/read/read_texts.hpp"
 #include "runtime/level/read/read_world.hpp"
+#include "runtime/level/read/solutions/read_solutions.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 // The budget mode with a clock that the test sets, and its recordings.
 #include "game/budget/budget_mode.hpp"
 #include "physics/dynamics/properties/settings.hpp"
-#include "runtime/level/read/read_solutions.hpp"
+#include "runtime/level/read/solutions/read_solutions.hpp"
 #include "runtime/level/write/write_level.hpp"
 #include "tests/game/budget/knob_kit.hpp"
 

@@ -2,7 +2,7 @@
 #include "physics/dynamics/properties/settings.hpp"
 #include "puzzle/solutions/solution_file.hpp"
 #include "runtime/level/model/world_change.hpp"
-#include "runtime/level/read/read_solutions.hpp"
+#include "runtime/level/read/solutions/read_solutions.hpp"
 #include "runtime/level/write/write_level.hpp"
 #include "tests/support/experiment.hpp"
 

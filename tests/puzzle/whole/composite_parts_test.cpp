@@ -1,6 +1,6 @@
 // Composite parts in a session: placed, moved, flipped, recorded and judged like any other part.
 #include "puzzle/solutions/verify.hpp"
-#include "runtime/level/read/read_solutions.hpp"
+#include "runtime/level/read/solutions/read_solutions.hpp"
 #include "runtime/level/write/write_level.hpp"
 #include "runtime/placement.hpp"
 #include "tests/puzzle/whole/swing.hpp"

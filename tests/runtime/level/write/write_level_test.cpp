@@ -1,7 +1,7 @@
 // Every section of a level, and everything that a solution records, is read as it was written.
 #include "runtime/level/property/field_outline.hpp"
 #include "runtime/level/read/read_level.hpp"
-#include "runtime/level/read/read_solutions.hpp"
+#include "runtime/level/read/solutions/read_solutions.hpp"
 #include "runtime/level/write/write_level.hpp"
 #include "tests/runtime/level/model/bakery.hpp"
 #include "tests/runtime/level/sample_properties.hpp"

@@ -1,4 +1,4 @@
-#include "runtime/level/read/check_inputs.hpp"
+#include "runtime/level/read/solutions/check_inputs.hpp"
 
 #include "runtime/level/build/joint_names.hpp"
 #include "runtime/level/build/placing.hpp"

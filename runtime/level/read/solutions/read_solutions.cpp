@@ -1,9 +1,9 @@
-#include "runtime/level/read/read_solutions.hpp"
+#include "runtime/level/read/solutions/read_solutions.hpp"
 
 #include "runtime/level/json/limits.hpp"
 #include "runtime/level/property/field_outline.hpp"
 #include "runtime/level/read/read_area.hpp"
-#include "runtime/level/read/read_changes.hpp"
+#include "runtime/level/read/solutions/read_changes.hpp"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // Recorded inputs of a solution: those that are accepted, and those that are impossible in their level.
-#include "runtime/level/read/check_inputs.hpp"
+#include "runtime/level/read/solutions/check_inputs.hpp"
 #include "tests/runtime/level/sample_properties.hpp"
 
 #include <gtest/gtest.h>

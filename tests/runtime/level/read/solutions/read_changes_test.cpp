@@ -1,7 +1,7 @@
 // Changes that were recorded with a solution are written and read.
 #include "runtime/level/model/world_change.hpp"
-#include "runtime/level/read/read_changes.hpp"
-#include "runtime/level/read/read_solutions.hpp"
+#include "runtime/level/read/solutions/read_changes.hpp"
+#include "runtime/level/read/solutions/read_solutions.hpp"
 #include "runtime/level/write/write_level.hpp"
 
 #include <gtest/gtest.h>

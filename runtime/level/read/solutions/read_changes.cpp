@@ -1,4 +1,4 @@
-#include "runtime/level/read/read_changes.hpp"
+#include "runtime/level/read/solutions/read_changes.hpp"
 
 #include "runtime/level/json/limits.hpp"
 
