@@ -4,8 +4,8 @@
 // compared with its frames in motion. CPU time of this thread, medians.
 #include "measure/activation/activation.hpp"
 
-#include "bench/box2d_scenes.hpp"
 #include "bench/measure.hpp"
+#include "bench/scenes/box2d_scenes.hpp"
 #include "puzzle/data/effects.hpp"
 #include "puzzle/data/game_data.hpp"
 #include "puzzle/session/session.hpp"

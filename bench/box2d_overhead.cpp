@@ -1,8 +1,8 @@
 // The overhead of Trembler's architecture: two scenes of Box2D's own testbed in a Trembler world and on bare
 // Box2D (see box2d_scenes.hpp). Both run in this process, alternating in blocks of frames, and their motion
 // must be bit for bit the same. CPU time of this thread, medians over blocks.
-#include "bench/box2d_scenes.hpp"
 #include "bench/measure.hpp"
+#include "bench/scenes/box2d_scenes.hpp"
 #include "physics/dynamics/calls.hpp"
 #include "physics/dynamics/properties/contacts.hpp"
 #include "physics/register_physics.hpp"

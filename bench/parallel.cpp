@@ -4,8 +4,8 @@
 // allows: the time of every component on one thread, and the longest chain of components that must run one
 // after the other.
 #include "audio/effect/properties/sounds.hpp"
-#include "bench/machine_hall.hpp"
 #include "bench/measure.hpp"
+#include "bench/scenes/machine_hall.hpp"
 #include "puzzle/data/effects.hpp"
 #include "runtime/schedule/schedule.hpp"
 #include "runtime/world/world.hpp"

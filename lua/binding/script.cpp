@@ -2,7 +2,7 @@
 
 #include "lua/attach/scripts_property.hpp"
 #include "lua/component/scripted_interaction.hpp"
-#include "lua/sandbox/source_check.hpp"
+#include "lua/sandbox/source/source_check.hpp"
 #include "physics/dynamics/properties/contacts.hpp"
 #include "runtime/level/json/suggestion.hpp"
 #include "runtime/placement.hpp"

@@ -5,7 +5,7 @@
 #include "lua/binding/call_plan.hpp"
 #include "lua/binding/values.hpp"
 #include "lua/component/turn.hpp"
-#include "lua/sandbox/spread_vectors.hpp"
+#include "lua/sandbox/source/spread_vectors.hpp"
 
 #include <array>
 #include <lua.hpp>

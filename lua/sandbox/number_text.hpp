@@ -7,8 +7,8 @@
 // .. stands a name whose value has a metamethod, in which the host joins them.
 #pragma once
 
-#include "lua/sandbox/scanner.hpp"
-#include "lua/sandbox/source_check.hpp"
+#include "lua/sandbox/source/scanner.hpp"
+#include "lua/sandbox/source/source_check.hpp"
 
 #include <optional>
 #include <string>

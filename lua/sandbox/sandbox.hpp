@@ -1,9 +1,9 @@
 // One Lua state in which one script runs, with nothing in it that leads outside.
 #pragma once
 
-#include "lua/sandbox/counted_source.hpp"
 #include "lua/sandbox/limits.hpp"
 #include "lua/sandbox/memory.hpp"
+#include "lua/sandbox/source/counted_source.hpp"
 #include "runtime/math/vec2.hpp"
 
 #include <functional>

@@ -2,7 +2,7 @@
 #include "lua/sandbox/number_text.hpp"
 #include "lua/sandbox/prelude/host_functions.hpp"
 #include "lua/sandbox/sandbox.hpp"
-#include "lua/sandbox/source_check.hpp"
+#include "lua/sandbox/source/source_check.hpp"
 
 #include <fmt/format.h>
 

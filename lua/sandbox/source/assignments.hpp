@@ -1,7 +1,7 @@
 // What a script's text assigns to: names that are perhaps globals, and fields of tables.
 #pragma once
 
-#include "lua/sandbox/tokens.hpp"
+#include "lua/sandbox/source/tokens.hpp"
 
 #include <cstddef>
 #include <functional>

@@ -1,5 +1,5 @@
 // What a script's text assigns to: names that are perhaps globals, and fields of tables.
-#include "lua/sandbox/assignments.hpp"
+#include "lua/sandbox/source/assignments.hpp"
 
 #include <vector>
 

@@ -1,5 +1,5 @@
 // All tokens of a script's text, to look back and ahead in.
-#include "lua/sandbox/tokens.hpp"
+#include "lua/sandbox/source/tokens.hpp"
 
 #include <algorithm>
 #include <array>

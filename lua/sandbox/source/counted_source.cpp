@@ -1,9 +1,9 @@
 // The counters that are put into a text: where each stands, and how much it counts.
-#include "lua/sandbox/counted_source.hpp"
+#include "lua/sandbox/source/counted_source.hpp"
 
-#include "lua/sandbox/assignments.hpp"
-#include "lua/sandbox/spread_vectors.hpp"
-#include "lua/sandbox/tokens.hpp"
+#include "lua/sandbox/source/assignments.hpp"
+#include "lua/sandbox/source/spread_vectors.hpp"
+#include "lua/sandbox/source/tokens.hpp"
 
 #include <fmt/format.h>
 

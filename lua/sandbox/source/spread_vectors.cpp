@@ -1,6 +1,6 @@
-#include "lua/sandbox/spread_vectors.hpp"
+#include "lua/sandbox/source/spread_vectors.hpp"
 
-#include "lua/sandbox/counted_source.hpp"
+#include "lua/sandbox/source/counted_source.hpp"
 
 #include <algorithm>
 #include <optional>

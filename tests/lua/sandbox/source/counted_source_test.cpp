@@ -1,5 +1,5 @@
-#include "lua/sandbox/counted_source.hpp"
 #include "lua/sandbox/sandbox.hpp"
+#include "lua/sandbox/source/counted_source.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

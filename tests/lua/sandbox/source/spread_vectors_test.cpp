@@ -1,6 +1,6 @@
 // Vectors that are handed to calls as two numbers: where, where not, and that nothing else changes.
-#include "lua/sandbox/counted_source.hpp"
-#include "lua/sandbox/spread_vectors.hpp"
+#include "lua/sandbox/source/counted_source.hpp"
+#include "lua/sandbox/source/spread_vectors.hpp"
 #include "physics/dynamics/properties/body.hpp"
 #include "tests/lua/support/script_world.hpp"
 

@@ -1,8 +1,8 @@
-#include "lua/sandbox/source_check.hpp"
+#include "lua/sandbox/source/source_check.hpp"
 
 #include "lua/sandbox/limits.hpp"
 #include "lua/sandbox/number_text.hpp"
-#include "lua/sandbox/scanner.hpp"
+#include "lua/sandbox/source/scanner.hpp"
 
 #include <fmt/format.h>
 

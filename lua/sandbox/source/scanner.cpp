@@ -1,4 +1,4 @@
-#include "lua/sandbox/scanner.hpp"
+#include "lua/sandbox/source/scanner.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 // Vectors that a script makes only to hand them to a call of its resolver: handed over as two numbers.
 #pragma once
 
-#include "lua/sandbox/tokens.hpp"
+#include "lua/sandbox/source/tokens.hpp"
 
 #include <cstddef>
 #include <map>

@@ -1,7 +1,7 @@
 // All tokens of a script's text, to look back and ahead in.
 #pragma once
 
-#include "lua/sandbox/scanner.hpp"
+#include "lua/sandbox/source/scanner.hpp"
 
 #include <cstddef>
 #include <string_view>
