@@ -1,5 +1,6 @@
 #include "game/ui/edit/commands/edit_actions.hpp"
 #include "game/ui/edit/edit_words.hpp"
+#include "game/ui/edit/study/level_studies.hpp"
 #include "game/ui/shared/shown_faults.hpp"
 #include "game/ui/shared/texts.hpp"
 #include "puzzle/campaign/as_played.hpp"
