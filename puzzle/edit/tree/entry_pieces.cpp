@@ -39,17 +39,4 @@ bool isComposite(GameData const& data, Json const& entry) {
     return part != nullptr && part->composite();
 }
 
-std::string entryOfObject(GameData const& data, Json const& level, std::string const& object) {
-    // The longest first: "left lamp" may be an entry beside "left".
-    for (std::size_t end = object.size(); end != std::string::npos && end > 0;
-         end = object.rfind(' ', end - 1)) {
-        std::string const name = object.substr(0, end);
-        Json const* const entry = findObject(level, name);
-        if (entry != nullptr && (end == object.size() || isComposite(data, *entry))) {
-            return name;
-        }
-    }
-    return object;
-}
-
 } // namespace trembler::edit

@@ -15,8 +15,5 @@ namespace trembler::edit {
 [[nodiscard]] std::vector<PropertySet> piecesOf(GameData const& data, Json const& entry);
 /// Whether the entry is made from a part of several pieces.
 [[nodiscard]] bool isComposite(GameData const& data, Json const& entry);
-/// The entry to which an object of the world belongs: the one of its name, or that of the part whose piece it
-/// is. The name itself if there is none.
-[[nodiscard]] std::string entryOfObject(GameData const& data, Json const& level, std::string const& object);
 
 } // namespace trembler::edit

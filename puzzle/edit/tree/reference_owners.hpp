@@ -8,9 +8,9 @@
 
 namespace trembler::edit {
 
-/// Finds the entry that a reference belongs to: "door" for "door coil", if "door" is made from a part. Unlike
-/// entryOfObject() it needs no parts, so that what refers to a piece of an unknown part goes with its object,
-/// too. It answers about the level as it was when this was made.
+/// Finds the entry that a reference belongs to: "door" for "door coil", if "door" is made from a part. It
+/// needs no parts, so that what refers to a piece of an unknown part goes with its object, too. It answers
+/// about the level as it was when this was made. For objects of the world: EditedWorld::entryOf().
 class ReferenceOwners {
 public:
     explicit ReferenceOwners(Json const& level);

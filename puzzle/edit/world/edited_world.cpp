@@ -47,7 +47,7 @@ void EditedWorld::build(GameData const& data, LevelFile const& level, Json const
         try {
             world_ = buildWorld(data.registry, reduced, data.parts);
             displacement_.emplace(data, tree, reduced, *world_);
-            noteObjects(reduced.objects.size());
+            noteObjects(reduced.objects);
             return;
         } catch (InputError const& error) {
             std::size_t const dropped = leaveOut(reduced, error.diagnostics());
@@ -72,8 +72,12 @@ void EditedWorld::build(GameData const& data, LevelFile const& level, Json const
     }
 }
 
-void EditedWorld::noteObjects(std::size_t entries) {
-    objects_.assign(entries, {});
+void EditedWorld::noteObjects(std::span<LevelObject const> entries) {
+    objects_.assign(entries.size(), {});
+    entries_.clear();
+    for (LevelObject const& entry : entries) {
+        entries_.push_back(entry.name);
+    }
     Store const& store = std::as_const(*world_).store();
     for (std::uint32_t number = 0; number < store.objects().indexBound(); ++number) {
         ObjectId const id = store.objects().at(number);
@@ -93,6 +97,20 @@ std::span<ObjectId const> EditedWorld::objectsOf(std::string const& name) const 
     return id.valid() && origin.kind == Origin::Kind::object
                ? std::span<ObjectId const>(objects_[origin.number])
                : std::span<ObjectId const>();
+}
+
+std::string const& EditedWorld::entryOf(ObjectId object) const {
+    static std::string const none;
+    if (world_ == nullptr) {
+        return none;
+    }
+    Store const& store = std::as_const(*world_).store();
+    Origin const origin = store.originOf(object);
+    return origin.kind == Origin::Kind::object && !store.has<Joint>(object) ? entries_[origin.number] : none;
+}
+
+std::size_t EditedWorld::pieceOf(ObjectId object) const {
+    return std::as_const(*world_).store().originOf(object).piece;
 }
 
 bool EditedWorld::follow(Json const& tree) {

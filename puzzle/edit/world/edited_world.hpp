@@ -25,7 +25,7 @@ public:
     /// Shows a tree that differs from the one that the world was built from, or from which an earlier call
     /// led away, only in where objects and joints are and in sizes: for the steps of a drag, in a small part
     /// of the time that build() takes. What depends on places otherwise, as circuits do not, is not computed
-    /// anew, so build the world when the drag ends. False if the trees differ in something else; the world
+    /// again, so build the world when the drag ends. False if the trees differ in something else; the world
     /// is then to be built.
     [[nodiscard]] bool follow(Json const& tree);
 
@@ -34,16 +34,24 @@ public:
     /// All objects that the entry with this name became: the pieces of a composite part, without its joints.
     /// Empty if there is none of that name.
     [[nodiscard]] std::span<ObjectId const> objectsOf(std::string const& name) const;
+    /// The name of the entry that became an object of the world, or one of whose pieces the object is; by the
+    /// object's origin, because the names of pieces may begin with those of other entries. "" for the object
+    /// "world", for joints, and without a world.
+    [[nodiscard]] std::string const& entryOf(ObjectId object) const;
+    /// Which of objectsOf() its entry an object is: the index in PartStatements::pieces() of the entry's
+    /// part, if that is a composite. The object must have an entry.
+    [[nodiscard]] std::size_t pieceOf(ObjectId object) const;
     /// How many entries could not be built.
     [[nodiscard]] std::size_t leftOut() const { return leftOut_; }
 
 private:
-    void noteObjects(std::size_t entries);
+    void noteObjects(std::span<LevelObject const> entries);
 
     std::unique_ptr<World> world_;
     std::size_t leftOut_ = 0;
     std::optional<Displacement> displacement_;
     std::vector<std::vector<ObjectId>> objects_; // by number of their origin
+    std::vector<std::string> entries_;           // their names, likewise
 };
 
 } // namespace trembler::edit

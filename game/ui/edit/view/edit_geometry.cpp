@@ -5,7 +5,6 @@
 #include "puzzle/edit/commands/editor_state.hpp"
 #include "puzzle/edit/commands/goals.hpp"
 #include "puzzle/edit/commands/objects.hpp"
-#include "puzzle/edit/tree/entry_pieces.hpp"
 #include "puzzle/edit/tree/part_statements.hpp"
 #include "puzzle/edit/tree/tree_access.hpp"
 #include "render/scene/objects/wires.hpp"
@@ -48,14 +47,14 @@ std::optional<Area> areaFrom(edit::Json const& value) {
     return area;
 }
 
-/// An object of the world and the entry that it belongs to; both empty for none.
+/// An object of the world and the name of its entry; invalid and empty for none.
 struct Picked {
-    std::string object;
+    ObjectId object;
     std::string entry;
 };
 
-/// The topmost one under a point that is not locked.
-Picked pickThing(EditParts const& parts, Vec2 at) {
+/// The topmost object under a point that is not locked.
+Picked pickTopmost(EditParts const& parts, Vec2 at) {
     World const* const world = parts.world.world();
     if (world == nullptr) {
         return {};
@@ -69,17 +68,16 @@ Picked pickThing(EditParts const& parts, Vec2 at) {
         if (distance > reach) {
             continue;
         }
-        std::string const object(world->store().nameOf(facts->id));
-        std::string const entry = edit::entryOfObject(*parts.data, parts.tree(), object);
-        if (edit::isLocked(parts.tree(), entry)) {
+        std::string const& entry = parts.world.entryOf(facts->id);
+        if (entry.empty() || edit::isLocked(parts.tree(), entry)) {
             continue;
         }
         if (distance <= 0) {
-            return {object, entry};
+            return {facts->id, entry};
         }
         if (distance < best) {
             best = distance;
-            nearest = {object, entry};
+            nearest = {facts->id, entry};
         }
     }
     return nearest;
@@ -103,20 +101,24 @@ AboutSelection const& aboutSelection(EditParts const& parts) {
 } // namespace
 
 std::string pickObject(EditParts const& parts, Vec2 at) {
-    return pickThing(parts, at).entry;
+    return pickTopmost(parts, at).entry;
 }
 
 std::string pickPiece(EditParts const& parts, std::string const& entry, Vec2 at) {
-    Picked const picked = pickThing(parts, at);
-    if (picked.entry != entry || picked.object.size() <= entry.size() + 1) {
+    Picked const picked = pickTopmost(parts, at);
+    if (picked.entry != entry || entry.empty()) {
         return {};
     }
     edit::PartStatements ofParts(*parts.data);
     edit::Json const* const stated = edit::findObject(parts.tree(), entry);
     std::string const part = stated == nullptr ? std::string() : edit::textOf(*stated, "part");
-    std::string const name = picked.object.substr(entry.size() + 1);
+    std::vector<edit::PartPiece> const& pieces = ofParts.pieces(part);
+    std::size_t const index = parts.world.pieceOf(picked.object);
+    if (index >= pieces.size()) { // a part of one object
+        return {};
+    }
     for (edit::InspectedPiece const& piece : edit::inspectPieces(*parts.data, parts.tree(), {entry})) {
-        if (ofParts.pieceNamed(part, piece.name) == name) {
+        if (ofParts.pieceNamed(part, piece.name) == pieces[index].name) {
             return piece.main && !piece.stated ? std::string() : piece.name;
         }
     }
@@ -135,10 +137,9 @@ std::vector<std::string> objectsWithin(EditParts const& parts, Vec2 a, Vec2 b) {
     // An entry of several pieces is within it if all of them are.
     std::vector<std::string> outside;
     for (Facts const& facts : FactsReader(*world).drawOrder()) {
-        std::string const name =
-            edit::entryOfObject(*parts.data, parts.tree(), world->store().nameOf(facts.id));
+        std::string const& name = parts.world.entryOf(facts.id);
         Extent const own = extentOf(facts, parts.scene.poseOf(*world, facts.id));
-        if (own.empty() || edit::isLocked(parts.tree(), name)) {
+        if (own.empty() || name.empty() || edit::isLocked(parts.tree(), name)) {
             continue;
         }
         auto& list = box.contains(own.lower) && box.contains(own.upper) ? names : outside;

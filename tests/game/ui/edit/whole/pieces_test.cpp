@@ -1,4 +1,5 @@
 // Pieces of composite parts are selected and changed in the editor, with real input events.
+#include "game/ui/edit/view/edit_geometry.hpp"
 #include "puzzle/edit/commands/objects.hpp"
 #include "puzzle/edit/commands/properties.hpp"
 #include "tests/game/ui/edit/editor_kit.hpp"
@@ -57,6 +58,28 @@ TEST(EditorPieces, AreSelectedByADoubleClickAndChanged) {
     designer.ctrl(SDLK_z);
     designer.ctrl(SDLK_z);
     EXPECT_EQ(designer.parts().document.text(), before);
+}
+
+TEST(EditorPieces, BelongToTheirOwnEntryWhateverItsName) {
+    Designer designer;
+    // The name of the left wheel of "a" begins with the name of the other cart.
+    designer.editText(R"({"version": 2, "title": "Carts", "world": {"bounds": [-4, -0.5, 8, 4.5]},
+        "objects": [{"name": "a", "part": "cart", "at": [-2, 1]},
+                    {"name": "a left", "part": "cart", "at": [2, 1]}]})");
+    for (auto const& [entry, x] : {std::pair("a", -2.0), std::pair("a left", 2.0)}) {
+        Vec2 const onLeftWheel{x - 0.35, 0.8};
+        designer.select(onLeftWheel);
+        EXPECT_EQ(designer.parts().selected(), std::vector<std::string>{entry});
+        designer.frames(30);
+        designer.doubleClick(designer.on(onLeftWheel));
+        EXPECT_EQ(designer.parts().selected(), std::vector<std::string>{entry});
+        EXPECT_EQ(designer.parts().selection.piece(), "left wheel") << entry;
+        designer.key(SDLK_ESCAPE);
+        designer.key(SDLK_ESCAPE);
+        designer.frames(30);
+    }
+    auto const within = objectsWithin(designer.parts(), {-3, 0}, {-1, 2});
+    EXPECT_EQ(within, std::vector<std::string>{"a"}) << "all pieces of it are within";
 }
 
 TEST(EditorPieces, AreResetByDeleteAndNeverRemoved) {
