@@ -9,8 +9,7 @@
 namespace trembler::insight {
 
 void Aftermath::addParts(ConditionMiss const& one) {
-    std::string_view const key = one.state().condition().kind->key();
-    if (key != "all") {
+    if (!one.state().condition().kind->needsAllChildren()) {
         parts_.push_back({&one, std::nullopt, std::nullopt});
         return;
     }

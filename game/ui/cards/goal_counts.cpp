@@ -8,20 +8,8 @@
 namespace trembler::ui {
 namespace {
 
-int countIn(nlohmann::json const& goal) {
-    if (!goal.is_object() || goal.contains("for")) {
-        return 0;
-    }
-    if (auto const steps = goal.find("sequence"); steps != goal.end() && steps->is_array()) {
-        return steps->size() > 1 ? static_cast<int>(steps->size()) : 0;
-    }
-    auto const count = goal.find("count");
-    if (count == goal.end() || !count->is_object()) {
-        return 0;
-    }
-    auto const most = count->find("at_least");
-    bool const counts = most != count->end() && most->is_number_integer();
-    return counts && most->get<int>() > 1 ? most->get<int>() : 0;
+int countIn(Condition const& goal) {
+    return goal.seconds ? 0 : goal.kind->countedSteps(goal);
 }
 
 } // namespace
@@ -32,18 +20,9 @@ std::vector<int> goalCounts(LevelFile const& level) {
     if (!condition) {
         return counts;
     }
-    auto const goals = goalsOf(*condition);
-    if (goals.data() == &*condition) { // it is one goal as a whole
-        return {countIn(level.goals)};
+    for (Condition const& goal : goalsOf(*condition)) {
+        counts.push_back(countIn(goal));
     }
-    for (char const* const key : {"all", "sequence"}) {
-        if (auto const list = level.goals.find(key); list != level.goals.end() && list->is_array()) {
-            for (nlohmann::json const& goal : *list) {
-                counts.push_back(countIn(goal));
-            }
-        }
-    }
-    counts.resize(goals.size());
     return counts;
 }
 

@@ -3,17 +3,17 @@
 #include "puzzle/edit/commands/contents.hpp"
 #include "puzzle/edit/commands/translations.hpp"
 #include "puzzle/edit/tree/tree_access.hpp"
+#include "puzzle/goals/conditions/table.hpp"
+#include "puzzle/goals/reading/condition_outline.hpp"
 
 #include <fmt/format.h>
 
-#include <array>
+#include <algorithm>
 
 namespace trembler::edit {
 namespace {
 
 using Place = Json::json_pointer;
-
-constexpr std::array<char const*, 3> listKinds{"all", "any", "sequence"};
 
 Place placeIn(std::string const& text) {
     try {
@@ -23,14 +23,19 @@ Place placeIn(std::string const& text) {
     }
 }
 
-/// The list of inner conditions, if the condition is one.
-char const* listKindOf(Json const& condition) {
-    for (char const* const kind : listKinds) {
-        if (condition.is_object() && condition.contains(kind) && condition[kind].is_array()) {
-            return kind;
+/// The kind of a condition, if it contains others in that way and its value has that form; else nullptr.
+ConditionOutline const* kindWith(InnerConditions inner, Json const& condition) {
+    auto const all = conditionOutlines();
+    auto const found = std::find_if(all.begin(), all.end(), [&](ConditionOutline const& one) {
+        if (one.inner != inner || !condition.is_object() || !condition.contains(one.key)) {
+            return false;
         }
-    }
-    return nullptr;
+        Json const& value = condition[one.key];
+        return inner == InnerConditions::list     ? value.is_array()
+               : inner == InnerConditions::member ? value.is_object() && value.contains(one.member)
+                                                  : true;
+    });
+    return found == all.end() ? nullptr : &*found;
 }
 
 Json& conditionAt(Json& level, std::string const& place, GoalTree tree) {
@@ -60,19 +65,19 @@ void addLines(Json const& condition, std::string const& place, std::size_t depth
                 line.kind = key;
             }
         }
-        if (char const* const kind = listKindOf(condition)) {
+        if (auto const* const list = kindWith(InnerConditions::list, condition)) {
             line.takesMore = true;
-            line.condition.erase(kind);
-            for (std::size_t i = 0; i < condition[kind].size(); ++i) {
-                inner.emplace_back(fmt::format("{}/{}/{}", place, kind, i), &condition[kind][i]);
+            line.condition.erase(list->key);
+            for (std::size_t i = 0; i < condition[list->key].size(); ++i) {
+                inner.emplace_back(fmt::format("{}/{}/{}", place, list->key, i), &condition[list->key][i]);
             }
-        } else if (condition.contains("not")) {
-            line.condition.erase("not");
-            inner.emplace_back(place + "/not", &condition["not"]);
-        } else if (auto const count = condition.find("count");
-                   count != condition.end() && count->is_object() && count->contains("that")) {
-            line.condition["count"].erase("that");
-            inner.emplace_back(place + "/count/that", &(*count)["that"]);
+        } else if (auto const* const around = kindWith(InnerConditions::value, condition)) {
+            line.condition.erase(around->key);
+            inner.emplace_back(fmt::format("{}/{}", place, around->key), &condition[around->key]);
+        } else if (auto const* const kind = kindWith(InnerConditions::member, condition)) {
+            line.condition[kind->key].erase(kind->member);
+            inner.emplace_back(fmt::format("{}/{}/{}", place, kind->key, kind->member),
+                               &condition[kind->key][kind->member]);
         }
     }
     lines.push_back(std::move(line));
@@ -89,7 +94,8 @@ void removeAt(Json& level, std::string const& place, GoalTree tree) {
     Json& goals = level[keyOf(tree)];
     Place const at = placeIn(place);
     Place const parent = at.parent_pointer();
-    if (at.back() == "not") {
+    ConditionOutline const* const around = findOutline(at.back());
+    if (around != nullptr && around->inner == InnerConditions::value) {
         removeAt(level, parent.to_string(), tree);
     } else if (goals[parent].is_array()) {
         goals[parent].erase(static_cast<std::size_t>(std::stoul(at.back())));
@@ -117,37 +123,15 @@ std::vector<GoalLine> goalLines(Json const& level, GoalTree tree) {
 }
 
 Json newCondition(std::string const& kind, std::vector<std::string> const& objects, Area const& area) {
-    auto const object = [&](std::size_t index) {
-        if (index >= objects.size()) {
-            throw CommandError(index == 0 ? "select an object that the goal is about"
-                                          : "select the two objects that the goal is about");
+    for (ConditionKind const* const known : conditionKinds()) {
+        if (known->key() != kind) {
+            continue;
         }
-        return objects[index];
-    };
-    if (kind == "inside") {
-        return Json{{kind, {{"object", object(0)}, {"area", areaJson(area)}}}};
-    }
-    if (kind == "touching") {
-        return Json{{kind, Json::array({object(0), object(1)})}};
-    }
-    if (kind == "on" || kind == "off") {
-        return Json{{kind, object(0)}};
-    }
-    if (kind == "moved") {
-        return Json{{kind, {{"object", object(0)}, {"by", 1}}}};
-    }
-    if (kind == "count") {
-        object(0);
-        return Json{{kind,
-                     {{"of", objects},
-                      {"at_least", 1},
-                      {"that", {{"inside", {{"object", "it"}, {"area", areaJson(area)}}}}}}}};
-    }
-    if (kind == "not") {
-        return Json{{kind, newCondition("moved", objects, area)}};
-    }
-    if (kind == "all" || kind == "any" || kind == "sequence") {
-        return Json{{kind, Json::array({newCondition("moved", objects, area)})}};
+        if (objects.size() < known->draftObjects()) {
+            throw CommandError(objects.empty() ? "select an object that the goal is about"
+                                               : "select the two objects that the goal is about");
+        }
+        return Json{{kind, known->draft({objects, areaJson(area)})}};
     }
     throw CommandError(fmt::format("there is no kind of goal '{}'", kind));
 }
@@ -169,8 +153,8 @@ Command addGoal(Json const& level, std::string const& place, Json const& conditi
                     return;
                 }
                 Json& there = conditionAt(tree, place, which);
-                if (char const* const kind = listKindOf(there)) {
-                    there[kind].push_back(condition);
+                if (auto const* const list = kindWith(InnerConditions::list, there)) {
+                    there[list->key].push_back(condition);
                 } else {
                     there = Json{{"all", Json::array({there, condition})}};
                 }
@@ -179,8 +163,9 @@ Command addGoal(Json const& level, std::string const& place, Json const& conditi
 
 Command wrapGoal(Json const& level, std::string const& place, std::string const& kind, GoalTree which) {
     mustHaveGoal(level, place, which);
-    bool const list = kind == "all" || kind == "any" || kind == "sequence";
-    if (!list && kind != "not") {
+    ConditionOutline const* const outline = findOutline(kind);
+    bool const list = outline != nullptr && outline->inner == InnerConditions::list;
+    if (!list && (outline == nullptr || outline->inner != InnerConditions::value)) {
         throw CommandError(fmt::format("'{}' takes no conditions", kind));
     }
     return {fmt::format("Put goal into '{}'", kind), [=](Json& tree) {
@@ -196,13 +181,13 @@ Command unwrapGoal(Json const& level, std::string const& place, GoalTree which) 
     return {"Take goal out", [place, which](Json& tree) {
                 Json& there = conditionAt(tree, place, which);
                 Json inner;
-                if (char const* const kind = listKindOf(there)) {
-                    if (there[kind].size() != 1) {
+                if (auto const* const list = kindWith(InnerConditions::list, there)) {
+                    if (there[list->key].size() != 1) {
                         throw CommandError("only a single condition can take the place of its list");
                     }
-                    inner = there[kind][0];
-                } else if (there.contains("not")) {
-                    inner = there["not"];
+                    inner = there[list->key][0];
+                } else if (auto const* const around = kindWith(InnerConditions::value, there)) {
+                    inner = there[around->key];
                 } else {
                     throw CommandError("this goal contains no other one");
                 }

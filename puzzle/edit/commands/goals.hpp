@@ -26,7 +26,7 @@ struct GoalLine {
     std::size_t depth = 0;
     std::string kind;       ///< "all", "touching" ...; empty if it states none
     Json condition;         ///< without the inner conditions of its lists
-    bool takesMore = false; ///< whether conditions can be added to it: all, any, sequence
+    bool takesMore = false; ///< whether conditions can be added to it, as to "all"
 };
 /// All conditions, outer ones first, in the order of the file; empty for a level without goals.
 [[nodiscard]] std::vector<GoalLine> goalLines(Json const& level, GoalTree tree = GoalTree::goals);
@@ -41,10 +41,10 @@ struct GoalLine {
 /// no goals, "all" of both, or the new one, is put there. Only a demonstration has a task.
 [[nodiscard]] Command addGoal(Json const& level, std::string const& place, Json const& condition,
                               GoalTree tree = GoalTree::goals);
-/// Puts the condition inside `kind`: "all", "any", "sequence" or "not".
+/// Puts the condition inside `kind`, one whose value is a condition ("not") or a list of conditions ("all").
 [[nodiscard]] Command wrapGoal(Json const& level, std::string const& place, std::string const& kind,
                                GoalTree tree = GoalTree::goals);
-/// Puts the only inner condition of "all", "any", "sequence" or "not" in its place.
+/// Puts the only inner condition of such a kind in its place.
 [[nodiscard]] Command unwrapGoal(Json const& level, std::string const& place,
                                  GoalTree tree = GoalTree::goals);
 /// Removes a condition. The list or the "not" around it is removed with its last condition.

@@ -2,6 +2,7 @@
 
 #include "puzzle/checks/level_checks.hpp"
 #include "puzzle/edit/tree/tree_access.hpp"
+#include "puzzle/goals/reading/condition_outline.hpp"
 
 #include <fmt/format.h>
 
@@ -40,21 +41,6 @@ std::string_view takeToken(std::string_view& pointer) {
 /// What a token of a JSON pointer stands for.
 std::string unescaped(std::string_view token) {
     return token.empty() ? std::string() : Json::json_pointer("/" + std::string(token)).back();
-}
-
-/// The longest beginning of a place that is a condition.
-std::string conditionAround(Json const& goals, std::string place) {
-    while (!place.empty()) {
-        Json::json_pointer const at(place);
-        bool const inner = at.back() == "not" || at.back() == "that" ||
-                           (!at.parent_pointer().empty() && goals.contains(at.parent_pointer()) &&
-                            goals[at.parent_pointer()].is_array());
-        if (inner && goals.contains(at) && goals[at].is_object()) {
-            return place;
-        }
-        place = at.parent_pointer().to_string();
-    }
-    return {};
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 #include "puzzle/edit/tree/references.hpp"
 
 #include "puzzle/edit/tree/tree_access.hpp"
+#include "puzzle/goals/reading/condition_outline.hpp"
 #include "runtime/level/json/limits.hpp"
 #include "runtime/level/property/field_outline.hpp"
 #include "runtime/property/idle_visitor.hpp"
@@ -81,39 +82,6 @@ void renameSelector(Json& selector, NewNames const& names) {
     }
 }
 
-void renameInGoal(Json& condition, NewNames const& names) {
-    if (!condition.is_object()) {
-        return;
-    }
-    for (auto const& item : condition.items()) {
-        std::string const& key = item.key();
-        Json& value = item.value();
-        if (key == "all" || key == "any" || key == "sequence") {
-            if (value.is_array()) {
-                for (Json& child : value) {
-                    renameInGoal(child, names);
-                }
-            }
-        } else if (key == "not") {
-            renameInGoal(value, names);
-        } else if (value.is_object()) { // the conditions with several members: inside, moved, count ...
-            for (auto const& member : value.items()) {
-                if (member.key() == "that") {
-                    renameInGoal(member.value(), names);
-                } else if (member.key() == "object" || member.key() == "of") {
-                    renameSelector(member.value(), names);
-                }
-            }
-        } else if (key == "touching" && value.is_array()) {
-            for (Json& selector : value) {
-                renameSelector(selector, names);
-            }
-        } else if (key != "id" && key != "text" && key != "for") {
-            renameSelector(value, names);
-        }
-    }
-}
-
 void renameInSolution(Json& solution, NewNames const& names) {
     if (auto const wires = solution.is_object() ? solution.find("wires") : solution.end();
         wires != solution.end() && wires->is_array()) {
@@ -187,7 +155,7 @@ void renameInEntries(GameData const& data, Json& entries, NewNames const& names)
 void renameElsewhere(Json& level, NewNames const& names) {
     for (char const* const key : {"goals", "task"}) {
         if (auto const goals = level.find(key); goals != level.end()) {
-            renameInGoal(*goals, names);
+            forSelectors(*goals, [&](Json& selector) { renameSelector(selector, names); });
         }
     }
     if (auto const steps = level.find("teaching"); steps != level.end() && steps->is_array()) {

@@ -1,4 +1,6 @@
 // {"all": [conditions]}: all of them hold at the same time.
+#include "puzzle/goals/checking/whole_level.hpp"
+#include "puzzle/goals/conditions/kinds.hpp"
 #include "puzzle/goals/conditions/list.hpp"
 #include "puzzle/goals/judging/condition_state.hpp"
 #include "puzzle/goals/words/goal_text.hpp"
@@ -7,6 +9,25 @@
 
 namespace trembler::conditions {
 namespace {
+
+/// What the file states at a place in the level's goals or its task; null if there is nothing.
+nlohmann::json statement(LevelFile const& level, std::string const& path) {
+    constexpr std::string_view goals = "/goals";
+    constexpr std::string_view task = "/task";
+    bool const inGoals = path.starts_with(goals);
+    if (!inGoals && !path.starts_with(task)) {
+        return {};
+    }
+    nlohmann::json const& tree = inGoals ? level.goals : level.task;
+    nlohmann::json::json_pointer const at(path.substr((inGoals ? goals : task).size()));
+    return tree.contains(at) ? tree.at(at) : nlohmann::json();
+}
+
+/// The condition that a statement negates, if it states nothing else; else null.
+nlohmann::json onlyNegated(nlohmann::json const& stated) {
+    std::string const key(negation().key());
+    return stated.is_object() && stated.size() == 1 && stated.contains(key) ? stated[key] : nlohmann::json();
+}
 
 class AllCondition final : public ListCondition {
 public:
@@ -23,7 +44,28 @@ public:
                 progress};
     }
 
+    [[nodiscard]] bool needsAllChildren() const override { return true; }
     [[nodiscard]] bool listsGoals() const override { return true; }
+
+    /// A condition and its opposite do not hold at the same time.
+    [[nodiscard]] std::vector<Impossibility> whyHopeless(Condition const& condition,
+                                                         WholeLevel const& level) const override {
+        std::vector<Impossibility> reasons;
+        for (Condition const& child : condition.children) {
+            nlohmann::json const negated = onlyNegated(statement(level.level, child.path));
+            bool const opposed =
+                !negated.is_null() && std::any_of(condition.children.begin(), condition.children.end(),
+                                                  [&](Condition const& other) {
+                                                      return &other != &child &&
+                                                             statement(level.level, other.path) == negated;
+                                                  });
+            if (opposed) {
+                reasons.push_back({"another of these goals demands the opposite",
+                                   "goals that can hold at the same time", child.path});
+            }
+        }
+        return reasons;
+    }
 
     /// The opposite of "both" is "either not the first or not the second" (De Morgan).
     [[nodiscard]] std::string phrase(Condition const& condition, GoalWords const& words, Mood mood,

@@ -16,6 +16,10 @@ nlohmann::ordered_json CircuitCondition::schema() const {
     return goal_schema::selector();
 }
 
+nlohmann::ordered_json CircuitCondition::draft(ConditionDraft const& with) const {
+    return with.objects[0];
+}
+
 void CircuitCondition::begin(ConditionState& state, ObjectFinder const& finder, ObjectId /*it*/) const {
     finder.mustHave(state.condition().subject, propertyInfo<Conductor>(),
                     "is no conductor, so it is never on");

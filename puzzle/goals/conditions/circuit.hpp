@@ -13,6 +13,7 @@ public:
 
     void read(JsonNode const& body, Condition& condition, GoalReader& reader) const final;
     [[nodiscard]] nlohmann::ordered_json schema() const final;
+    [[nodiscard]] nlohmann::ordered_json draft(ConditionDraft const& with) const final;
     void begin(ConditionState& state, ObjectFinder const& finder, ObjectId it) const final;
     void collectCauses(ConditionState const& state, World const& world, bool truth,
                        std::vector<EventId>& events) const final;

@@ -3,6 +3,7 @@
 #include "puzzle/goals/conditions/count.hpp"
 
 #include "puzzle/goals/checking/candidates.hpp"
+#include "puzzle/goals/conditions/kinds.hpp"
 #include "puzzle/goals/judging/condition_state.hpp"
 #include "puzzle/goals/reading/goal_reader.hpp"
 #include "puzzle/goals/reading/schema_pieces.hpp"
@@ -98,6 +99,18 @@ public:
         body["description"] = "The number of objects for which the condition \"that\" holds; in it, \"it\" "
                               "refers to the object.";
         return body;
+    }
+
+    /// At least one of the objects is inside the area.
+    [[nodiscard]] nlohmann::ordered_json draft(ConditionDraft const& with) const override {
+        nlohmann::ordered_json that;
+        that[std::string(inside().key())] = inside().draft({{"it"}, with.area});
+        return {{"of", with.objects}, {"at_least", 1}, {"that", std::move(that)}};
+    }
+
+    [[nodiscard]] int countedSteps(Condition const& condition) const override {
+        HowMany const wanted = howMany(condition);
+        return wanted.quantity == Quantity::atLeast && wanted.number > 1 ? wanted.number : 0;
     }
 
     [[nodiscard]] std::optional<Impossibility> whyNever(Condition const& condition,

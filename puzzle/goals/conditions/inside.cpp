@@ -57,6 +57,10 @@ public:
                              "something that can move, or an area around it"};
     }
 
+    [[nodiscard]] nlohmann::ordered_json draft(ConditionDraft const& with) const override {
+        return {{"object", with.objects[0]}, {"area", with.area}};
+    }
+
     void begin(ConditionState& state, ObjectFinder const& finder, ObjectId /*it*/) const override {
         finder.mustHave(state.condition().subject, propertyInfo<Position>(),
                         "is nowhere, so it can never get anywhere");

@@ -1,5 +1,6 @@
 #include "puzzle/goals/conditions/list.hpp"
 
+#include "puzzle/goals/conditions/moved.hpp"
 #include "puzzle/goals/reading/goal_reader.hpp"
 #include "puzzle/goals/reading/schema_pieces.hpp"
 #include "puzzle/goals/words/english.hpp"
@@ -14,6 +15,10 @@ void ListCondition::read(JsonNode const& body, Condition& condition, GoalReader&
 
 nlohmann::ordered_json ListCondition::schema() const {
     return goal_schema::listOf(goal_schema::condition(), limits::conditions);
+}
+
+nlohmann::ordered_json ListCondition::draft(ConditionDraft const& with) const {
+    return nlohmann::ordered_json::array({movedDraft(with)});
 }
 
 bool ListCondition::isCompound(Condition const& condition) const {

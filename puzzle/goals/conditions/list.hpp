@@ -12,6 +12,7 @@ public:
 
     void read(JsonNode const& body, Condition& condition, GoalReader& reader) const final;
     [[nodiscard]] nlohmann::ordered_json schema() const final;
+    [[nodiscard]] nlohmann::ordered_json draft(ConditionDraft const& with) const final;
     /// True if there are several children and the level's author states no text.
     [[nodiscard]] bool isCompound(Condition const& condition) const final;
 

@@ -2,7 +2,9 @@
 // that far from its place at the start.
 #include "puzzle/goals/conditions/moved.hpp"
 
-#include "puzzle/goals/checking/candidates.hpp"
+#include "physics/dynamics/properties/body.hpp"
+#include "physics/dynamics/properties/shape.hpp"
+#include "puzzle/goals/checking/whole_level.hpp"
 #include "puzzle/goals/conditions/acting.hpp"
 #include "puzzle/goals/judging/condition_state.hpp"
 #include "puzzle/goals/reading/goal_reader.hpp"
@@ -117,6 +119,27 @@ public:
         return Impossibility{"a fixed object never moves", "something that can move"};
     }
 
+    [[nodiscard]] nlohmann::ordered_json draft(ConditionDraft const& with) const override {
+        return {{"object", with.objects[0]}, {"by", 1}};
+    }
+
+    /// What has no body and no velocity stays where it is.
+    [[nodiscard]] std::vector<Impossibility> whyHopeless(Condition const& condition,
+                                                         WholeLevel const& level) const override {
+        World const& world = level.world;
+        Candidates const all = level.candidates.of(condition.subject);
+        bool const moves =
+            all.it || all.placed > 0 || all.names.empty() ||
+            std::any_of(all.names.begin(), all.names.end(), [&](std::string const& name) {
+                ObjectId const id = world.store().find(name);
+                return !id.valid() || world.find<Shape>(id) != nullptr || world.find<Velocity>(id) != nullptr;
+            });
+        if (moves) {
+            return {};
+        }
+        return {{"an object without a shape never moves", "something that has a shape"}};
+    }
+
     void begin(ConditionState& state, ObjectFinder const& finder, ObjectId /*it*/) const override {
         finder.mustHave(state.condition().subject, propertyInfo<Position>(),
                         "is nowhere, so it can never get anywhere");
@@ -188,6 +211,12 @@ WantedMove wantedMove(Condition const& condition) {
 ConditionKind const& moved() {
     static MovedCondition const kind;
     return kind;
+}
+
+nlohmann::ordered_json movedDraft(ConditionDraft const& with) {
+    nlohmann::ordered_json condition;
+    condition[std::string(moved().key())] = moved().draft(with);
+    return condition;
 }
 
 } // namespace trembler::conditions

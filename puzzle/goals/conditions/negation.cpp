@@ -1,4 +1,5 @@
 // {"not": condition}: the condition does not hold.
+#include "puzzle/goals/conditions/moved.hpp"
 #include "puzzle/goals/judging/condition_state.hpp"
 #include "puzzle/goals/reading/goal_reader.hpp"
 #include "puzzle/goals/reading/schema_pieces.hpp"
@@ -16,6 +17,10 @@ public:
     }
 
     [[nodiscard]] nlohmann::ordered_json schema() const override { return goal_schema::condition(); }
+
+    [[nodiscard]] nlohmann::ordered_json draft(ConditionDraft const& with) const override {
+        return movedDraft(with);
+    }
 
     [[nodiscard]] Standing judge(ConditionState& state, World const& /*world*/) const override {
         return {!state.children().empty() && !state.children().front().met(), 0};

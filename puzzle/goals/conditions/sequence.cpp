@@ -60,6 +60,10 @@ public:
 
     [[nodiscard]] bool listsGoals() const override { return true; }
 
+    [[nodiscard]] int countedSteps(Condition const& condition) const override {
+        return condition.children.size() > 1 ? static_cast<int>(condition.children.size()) : 0;
+    }
+
     /// A step is done once it was met in its turn, not whenever its condition holds.
     [[nodiscard]] Standing standingOf(ConditionState const& state, std::size_t child) const override {
         std::size_t const done = state.memory<Steps>().done;

@@ -3,7 +3,7 @@
 #include "physics/dynamics/properties/body.hpp"
 #include "physics/dynamics/properties/contacts.hpp"
 #include "physics/dynamics/properties/shape.hpp"
-#include "puzzle/goals/checking/candidates.hpp"
+#include "puzzle/goals/checking/whole_level.hpp"
 #include "puzzle/goals/judging/condition_state.hpp"
 #include "puzzle/goals/reading/goal_reader.hpp"
 #include "puzzle/goals/reading/schema_pieces.hpp"
@@ -85,6 +85,19 @@ public:
             return std::nullopt;
         }
         return Impossibility{"nothing touches itself", "two different objects"};
+    }
+
+    [[nodiscard]] nlohmann::ordered_json draft(ConditionDraft const& with) const override {
+        return nlohmann::ordered_json::array({with.objects[0], with.objects[1]});
+    }
+    [[nodiscard]] std::size_t draftObjects() const override { return 2; }
+
+    [[nodiscard]] std::vector<Impossibility> whyHopeless(Condition const& condition,
+                                                         WholeLevel const& level) const override {
+        if (level.candidates.areFixed(condition.subject) && level.candidates.areFixed(condition.object)) {
+            return {{"fixed objects never come to touch one another", "something that can move"}};
+        }
+        return {};
     }
 
     void begin(ConditionState& state, ObjectFinder const& finder, ObjectId /*it*/) const override {

@@ -10,6 +10,11 @@ std::optional<Impossibility> ConditionKind::whyNever(Condition const& /*conditio
     return std::nullopt;
 }
 
+std::vector<Impossibility> ConditionKind::whyHopeless(Condition const& /*condition*/,
+                                                      WholeLevel const& /*level*/) const {
+    return {};
+}
+
 void ConditionKind::begin(ConditionState& state, ObjectFinder const& finder, ObjectId it) const {
     state.addChildren(finder, it);
 }
@@ -26,6 +31,10 @@ void ConditionKind::collectCauses(ConditionState const& state, World const& worl
 Standing ConditionKind::standingOf(ConditionState const& state, std::size_t child) const {
     ConditionState const& goal = state.children()[child];
     return {goal.met(), goal.progress()};
+}
+
+int ConditionKind::countedSteps(Condition const& /*condition*/) const {
+    return 0;
 }
 
 std::string ConditionKind::lastingPhrase(Condition const& condition, GoalWords const& words, Noun const* it,

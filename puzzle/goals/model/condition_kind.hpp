@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -21,6 +22,7 @@ class GoalWords;
 class JsonNode;
 class ObjectFinder;
 class World;
+struct WholeLevel;
 enum class Mood;
 struct Condition;
 struct Noun;
@@ -35,6 +37,13 @@ struct Standing {
 struct Impossibility {
     std::string message;
     std::string expected; ///< the accepted values
+    std::string path{};   ///< in the file, of the inner condition at fault; empty: the condition itself
+};
+
+/// With what an editor begins a condition.
+struct ConditionDraft {
+    std::vector<std::string> objects; ///< names, the first for the first selector
+    nlohmann::ordered_json area;      ///< as a level file states it, m
 };
 
 /// A kind of condition. Has no data but its key: the data of a file are in the Condition, the memory of a
@@ -61,6 +70,19 @@ public:
     [[nodiscard]] virtual std::optional<Impossibility> whyNever(Condition const& condition,
                                                                 CandidateFinder const& candidates) const;
 
+    /// Why such a condition can never come true in its level as a whole, although whyNever() finds nothing:
+    /// for the checks of finished levels, see complainAboutHopeless(). Empty if it may come true.
+    [[nodiscard]] virtual std::vector<Impossibility> whyHopeless(Condition const& condition,
+                                                                 WholeLevel const& level) const;
+
+    // Editing a condition. Which members of the value are selectors, areas and conditions is known from
+    // schema(), see ConditionOutline.
+
+    /// A value that an editor begins with; `with` has at least draftObjects() objects.
+    [[nodiscard]] virtual nlohmann::ordered_json draft(ConditionDraft const& with) const = 0;
+    /// How many objects a draft is about at least.
+    [[nodiscard]] virtual std::size_t draftObjects() const { return 1; }
+
     // Judging whether a condition holds in a world.
 
     /// Sets up the state of a condition whose subjects and objects have been found, before the first frame:
@@ -74,12 +96,17 @@ public:
     virtual void collectCauses(ConditionState const& state, World const& world, bool truth,
                                std::vector<EventId>& events) const;
 
+    /// Whether it holds exactly if all its children are met.
+    [[nodiscard]] virtual bool needsAllChildren() const { return false; }
+
     // Describing a condition to the player.
 
     /// Whether the player sees its children as separate goals.
     [[nodiscard]] virtual bool listsGoals() const { return false; }
     /// The present state of the child with that index as a separate goal.
     [[nodiscard]] virtual Standing standingOf(ConditionState const& state, std::size_t child) const;
+    /// How many equal steps or objects the player sees counted until it is met; 0: it is not counted.
+    [[nodiscard]] virtual int countedSteps(Condition const& condition) const;
     /// The condition in words, without the time for which it must hold: "keep the lamp lit". `it` is the noun
     /// for "it", null outside a count.
     [[nodiscard]] virtual std::string phrase(Condition const& condition, GoalWords const& words, Mood mood,

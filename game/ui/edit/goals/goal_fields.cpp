@@ -7,6 +7,7 @@
 #include "puzzle/edit/commands/contents.hpp"
 #include "puzzle/edit/commands/objects.hpp"
 #include "puzzle/edit/tree/part_statements.hpp"
+#include "puzzle/goals/reading/condition_outline.hpp"
 
 #include <algorithm>
 #include <array>
@@ -119,13 +120,15 @@ bool optionalField(EditParts& parts, Json& body, std::string const& key, std::st
     return changed;
 }
 
-bool distanceField(EditParts& parts, Json& body) {
-    double by = body.contains("by") && body["by"].is_number() ? body["by"].get<double>() : 1;
-    fieldName(shownGoalWord("by"), "");
-    if (!numberField(parts, "goal by", by, 0.001, 1e6, "m")) {
+/// A number of a unit that its schema names, between its limits.
+bool quantityField(EditParts& parts, Json& body, std::string const& key, Json const& schema) {
+    double value = body.contains(key) && body[key].is_number() ? body[key].get<double>() : 1;
+    fieldName(shownGoalWord(key), "");
+    if (!numberField(parts, "goal " + key, value, schema["minimum"].get<double>(),
+                     schema["maximum"].get<double>(), schema.value("description", ""))) {
         return false;
     }
-    body["by"] = by;
+    body[key] = value;
     return true;
 }
 
@@ -169,39 +172,58 @@ bool quantityFields(EditParts& parts, Json& body) {
     return true;
 }
 
+/// A field for each member of a condition's value, by the member's schema, in the schema's order. Inner
+/// conditions have lines of their own.
+bool memberFields(EditParts& parts, Json& body, Json const& members) {
+    bool changed = false;
+    bool counted = false;
+    std::size_t index = 0;
+    for (auto const& member : members.items()) {
+        std::string const& key = member.key();
+        Json const& schema = member.value();
+        std::string const item = "goal/" + std::to_string(index++);
+        std::string const type = schema.value("type", "");
+        if (isSelector(schema)) {
+            changed = (body.contains(key) && selectorField(parts, key, body[key], item)) || changed;
+        } else if (isArea(schema)) {
+            changed = (body.contains(key) && areaOfScene(parts, body[key], item)) || changed;
+        } else if (schema.contains("enum")) {
+            std::vector<std::string> choices{""}; // left out
+            for (Json const& choice : schema["enum"]) {
+                choices.push_back(choice.get<std::string>());
+            }
+            changed = optionalField(parts, body, key, "goal " + key, choices) || changed;
+        } else if (type == "string") {
+            changed = optionalField(parts, body, key, "goal " + key) || changed;
+        } else if (type == "number") {
+            changed = quantityField(parts, body, key, schema) || changed;
+        } else if (type == "integer" && !std::exchange(counted, true)) {
+            changed = quantityFields(parts, body) || changed;
+        }
+    }
+    return changed;
+}
+
 } // namespace
 
 bool goalFields(EditParts& parts, std::string const& kind, Json& body) {
-    if (kind == "on" || kind == "off") {
+    ConditionOutline const* const outline = findOutline(kind);
+    if (outline == nullptr) {
+        return false;
+    }
+    Json const& schema = outline->schema;
+    if (isSelector(schema)) {
         return selectorField(parts, "object", body, "goal");
     }
-    if (kind == "touching") {
+    if (schema.contains("items") && isSelector(schema["items"])) {
         bool changed = false;
         for (std::size_t i = 0; body.is_array() && i < body.size(); ++i) {
             changed = selectorField(parts, "object", body[i], "goal/" + std::to_string(i)) || changed;
         }
         return changed;
     }
-    if (!body.is_object()) {
-        return false;
-    }
-    bool changed = false;
-    if (kind == "inside" || kind == "moved") {
-        changed = body.contains("object") && selectorField(parts, "object", body["object"], "goal/0");
-    }
-    if (kind == "inside") {
-        changed = (body.contains("area") && areaOfScene(parts, body["area"], "goal/1")) || changed;
-        changed = optionalField(parts, body, "called", "goal called") || changed;
-    } else if (kind == "moved") {
-        changed = distanceField(parts, body) || changed;
-        changed =
-            optionalField(parts, body, "towards", "goal towards", {"", "up", "down", "left", "right"}) ||
-            changed;
-    } else if (kind == "count") {
-        changed = body.contains("of") && selectorField(parts, "of", body["of"], "goal/0");
-        changed = quantityFields(parts, body) || changed;
-    }
-    return changed;
+    return schema.contains("properties") && body.is_object() &&
+           memberFields(parts, body, schema["properties"]);
 }
 
 } // namespace trembler::ui

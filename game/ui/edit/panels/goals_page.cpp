@@ -7,7 +7,7 @@
 #include "puzzle/edit/commands/contents.hpp"
 #include "puzzle/edit/commands/goals.hpp"
 #include "puzzle/edit/commands/objects.hpp"
-#include "puzzle/goals/conditions/table.hpp"
+#include "puzzle/goals/reading/condition_outline.hpp"
 #include "render/draw/palette.hpp"
 #include "render/panels/cards.hpp"
 #include "render/panels/icons.hpp"
@@ -87,6 +87,19 @@ std::size_t listAround(EditParts const& parts, std::string const& place) {
     return there ? parts.tree().at(list).size() : 0;
 }
 
+/// The kinds into which any condition can be put: first lists, then those of a single condition.
+std::vector<std::string> kindsAround() {
+    std::vector<std::string> kinds;
+    for (InnerConditions const inner : {InnerConditions::list, InnerConditions::value}) {
+        for (ConditionOutline const& outline : conditionOutlines()) {
+            if (outline.inner == inner) {
+                kinds.push_back(outline.key);
+            }
+        }
+    }
+    return kinds;
+}
+
 void drawChosen(EditParts& parts, edit::GoalLine const& line) {
     Json const* const found = conditionAt(parts, line.place);
     if (found == nullptr) {
@@ -94,7 +107,10 @@ void drawChosen(EditParts& parts, edit::GoalLine const& line) {
     }
     Json condition = *found;
     pageHeading(shownGoalWord(line.kind).c_str());
-    if (!line.takesMore && line.kind != "not" && condition.contains(line.kind)) {
+    ConditionOutline const* const outline = findOutline(line.kind);
+    bool const hasFields = outline == nullptr || (outline->inner != InnerConditions::list &&
+                                                  outline->inner != InnerConditions::value);
+    if (!line.takesMore && hasFields && condition.contains(line.kind)) {
         if (goalFields(parts, line.kind, condition[line.kind])) {
             runWidget(
                 parts,
@@ -130,9 +146,10 @@ void drawChosen(EditParts& parts, edit::GoalLine const& line) {
                 false);
         }
     }
-    for (std::string const kind : {"all", "any", "sequence", "not"}) {
+    std::vector<std::string> const around = kindsAround();
+    for (std::string const& kind : around) {
         std::string const label = shownGoalWord(kind);
-        if (kind != "all") {
+        if (kind != around.front()) {
             besideIfRoom(label.c_str());
         }
         if (smallButton(parts, label.c_str(), "wrap " + kind, words::wrapTip)) {
@@ -170,8 +187,8 @@ void drawChosen(EditParts& parts, edit::GoalLine const& line) {
 void drawAdd(EditParts& parts, std::vector<edit::GoalLine> const& lines) {
     std::string chosen;
     std::vector<std::string> kinds;
-    for (ConditionKind const* const kind : conditionKinds()) {
-        kinds.emplace_back(kind->key());
+    for (ConditionOutline const& outline : conditionOutlines()) {
+        kinds.push_back(outline.key);
     }
     ImGui::TextUnformatted(words::addGoal);
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);

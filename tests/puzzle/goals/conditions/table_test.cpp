@@ -168,6 +168,16 @@ TEST_F(ConditionTable, EveryKindReadsWhatItsSchemaAccepts) {
     }
 }
 
+TEST_F(ConditionTable, EveryKindIsDraftedAsItsSchemaAccepts) {
+    for (ConditionKind const* const kind : conditionKinds()) {
+        ASSERT_LE(kind->draftObjects(), 2U);
+        ConditionDraft const with{{"probe 1", "probe 2"}, {0, 0, 1, 1}};
+        Json const goals{{std::string(kind->key()), Json(kind->draft(with))}};
+        EXPECT_EQ(faults(goals), std::vector<std::string>()) << goals;
+        EXPECT_EQ(refusal(goals), "") << goals;
+    }
+}
+
 TEST_F(ConditionTable, EveryKindRefusesWhatItsSchemaRefuses) {
     for (ConditionKind const* const kind : conditionKinds()) {
         std::string const key(kind->key());
