@@ -1,5 +1,5 @@
 // The colours that a drawing can name. Okabe and Ito's rule holds for them as for the rest of the program:
-// those that are meant to be told apart differ in lightness, too.
+// colours that the player has to distinguish differ in lightness, too.
 #pragma once
 
 #include <array>

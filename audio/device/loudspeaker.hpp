@@ -61,7 +61,7 @@ private:
     std::unique_ptr<Output> output_;
     SampleFiles recordings_;
     Synthesiser synthesiser_;
-    std::map<InterfaceSound, std::vector<float>> touches_; // those that were heard already
+    std::map<InterfaceSound, std::vector<float>> touches_; // the sounds that were heard already
     Subscription sounds_;                                  // of the world that it listens to
     World const* world_ = nullptr; // the same: only compared, never dereferenced, as it may no longer exist
     std::optional<Vec2> roomAt_;   // where the room was last computed

@@ -23,7 +23,7 @@ struct GrowthRow {
     bool refused = false;
     /// The largest n to measure.
     std::size_t most = 1000000;
-    /// The bench fails above these exponents. docs/measurements/performance.md explains those that are
+    /// The bench fails above these exponents. docs/measurements/performance.md explains the rows that are
     /// greater than usual.
     double mostOfLoad = 1.25;
     double mostOfFrame = 1.25;

@@ -17,9 +17,10 @@ struct Error {
 
 /// One way to compute an effect: a detail level, the settings that count for it, and its period.
 struct Option {
-    std::string name;                  ///< "tree, opening angle 0.5, every 2 frames"
-    std::vector<RecordedChange> makes; ///< all changes that select it, including those that hold already
-    double work = 1;                   ///< relative cost among the knob's options
+    std::string name; ///< "tree, opening angle 0.5, every 2 frames"
+    std::vector<RecordedChange>
+        makes;       ///< all changes that select it, including the changes that are in effect already
+    double work = 1; ///< relative cost among the knob's options
     Error error;
     std::string cannot;     ///< the reason why the scene forbids the option; "": allowed
     bool lessOften = false; ///< a component runs less often than in every frame

@@ -15,8 +15,8 @@ namespace trembler::budget {
 [[nodiscard]] RecordedChange toPeriod(std::string_view component, int period);
 [[nodiscard]] RecordedChange toSetting(std::string_view property, std::string_view field, double value);
 
-/// The components that are the detail levels of an effect, with their current status; only those that the
-/// scene's properties allow to be constructed.
+/// The components that are the detail levels of an effect, with their current status; only the components
+/// that the scene's properties allow to be constructed.
 [[nodiscard]] std::vector<ComponentStatus> levelsOf(World const& world, std::string_view effect);
 /// The one of `levels` that is constructed, if any.
 [[nodiscard]] std::optional<ComponentStatus> working(std::vector<ComponentStatus> const& levels);

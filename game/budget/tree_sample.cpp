@@ -24,7 +24,7 @@ void TreeSample::add(inverse_square::Points const& sources, inverse_square::Poin
         std::size_t const begin = (2 * i + 1) * all / (2 * count) * size;
         sum.ranges.emplace_back(begin, std::min(begin + size, receivers.size()));
     }
-    // The tree orders its receivers: those that these groups hold are the ones whose totals are not zero.
+    // The tree orders its receivers: the receivers in these groups are the ones whose totals are not zero.
     std::vector<Vec2> totals(receivers.size());
     for (auto const& [begin, end] : sum.ranges) {
         sum.tree.add(begin, end, 1, softening2, totals);

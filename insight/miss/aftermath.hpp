@@ -40,7 +40,7 @@ private:
     struct Part {
         ConditionMiss const* condition = nullptr;
         std::optional<Break> now;
-        std::optional<Break> longest; // of those that are over
+        std::optional<Break> longest; // of the breaks that are over
     };
     void addParts(ConditionMiss const& one);
     [[nodiscard]] static Break const* longestOf(Part const& part);

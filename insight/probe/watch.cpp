@@ -199,7 +199,7 @@ int componentOf(std::string_view word) {
                                        : -1;
 }
 
-/// The fields that a word names, among those that the object may have.
+/// The fields that a word names, among the fields that the object may have.
 std::vector<WatchedField const*> fieldsOf(World const& world, std::vector<WatchedField> const& fields,
                                           std::string const& object, std::string const& word) {
     bool const isThere = world.store().find(object).valid();

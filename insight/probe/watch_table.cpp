@@ -90,7 +90,7 @@ std::vector<std::string> WatchTable::withoutValue(World const& world) const {
 
 std::string WatchTable::whyEmpty(World const& world, PropertyInfo const& property) const {
     ComponentText const* present = nullptr; // of the component that leaves it empty
-    std::vector<std::string> levels;        // of those that compute it
+    std::vector<std::string> levels;        // of the components that compute it
     std::vector<ComponentStatus> const all = world.status();
     for (Registration const& registration : registry_.components()) {
         auto const& offers = registration.info->offers;

@@ -123,7 +123,7 @@ private:
         }
     }
 
-    /// Those that solve it, and where they are in the report.
+    /// The solutions that solve the level, and their indices in the report.
     [[nodiscard]] std::vector<SolvedBy> solving(std::vector<SolutionReport*>& reports) {
         std::vector<SolvedBy> solved;
         for (SolutionReport& one : report_.solutions) {

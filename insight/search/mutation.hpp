@@ -1,4 +1,4 @@
-// New attempts, made from those that nearly succeeded.
+// New attempts, made from attempts that nearly succeeded.
 #pragma once
 
 #include "insight/search/deeds.hpp"

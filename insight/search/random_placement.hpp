@@ -11,7 +11,7 @@
 
 namespace trembler::insight {
 
-/// The areas in which parts may be placed: those that the level states, else its bounds, else a rectangle
+/// The areas in which parts may be placed: the areas that the level states, else its bounds, else a rectangle
 /// around all that it has, with a margin of 1 m.
 [[nodiscard]] std::vector<Area> placingAreas(LevelUnderTest const& level);
 

@@ -15,8 +15,8 @@ struct RecordedKind {
     CauseGraph graph;
 };
 
-/// Of the recorded solutions that solve the level, in its order; of those that were finished if the workers
-/// are stopped. Throws InputError if one cannot be run.
+/// Of the recorded solutions that solve the level, in its order; of the solutions that were finished if the
+/// workers are stopped. Throws InputError if one cannot be run.
 [[nodiscard]] std::vector<RecordedKind> recordedKinds(LevelUnderTest const& level, Workers& workers);
 
 /// The first recorded solution of the same kind; empty: there is none.

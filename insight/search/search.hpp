@@ -15,7 +15,7 @@
 namespace trembler::insight {
 
 struct SearchOptions {
-    std::uint64_t runs = 2000; ///< trials; those that find out what a found solution needs are not counted
+    std::uint64_t runs = 2000; ///< trials; runs that find out what a found solution needs are not counted
     std::uint64_t seed = 1;
     std::uint64_t frames = 1200; ///< of a trial, at most: 20 s
     bool hands = true;           ///< whether to drag objects and cut wires as well
@@ -40,7 +40,7 @@ struct SearchResult {
     std::uint64_t runs = 0;
     std::uint64_t solved = 0;                 ///< of them
     std::optional<std::uint64_t> firstSolved; ///< the number of the trial
-    double nearest = 1;                       ///< the least miss of those that did not solve it
+    double nearest = 1;                       ///< the least miss of the trials that did not solve it
     Solution nearestMiss;
     std::size_t places = 0; ///< of interest
 };

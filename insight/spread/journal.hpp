@@ -24,8 +24,8 @@ public:
     Journal(Journal const&) = delete;
     Journal& operator=(Journal const&) = delete;
 
-    /// The result of a piece of work that is finished. Those that add() has added are not among them: within
-    /// one run of the program no work is done twice.
+    /// The result of a piece of work that is finished. Results that add() has added are not among them:
+    /// within one run of the program no work is done twice.
     [[nodiscard]] std::optional<std::string> find(std::string const& key) const;
     [[nodiscard]] std::size_t size() const { return known_.size(); }
     /// Adds one. Is on its way to the disk when it returns: killing the program does not lose it. Throws

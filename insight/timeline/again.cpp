@@ -14,7 +14,8 @@ std::vector<Recorded> upTo(std::span<Recorded const> all, std::uint64_t frame) {
     return some;
 }
 
-/// The world's present options may differ from those that the run began with: the run may have changed them.
+/// The world's present options may differ from the options that the run began with: the run may have changed
+/// them.
 WorldOptions optionsAtStart(Session const& session) {
     WorldOptions options = session.world().options();
     std::uint64_t const last = session.world().frame();

@@ -18,7 +18,7 @@ struct Candidate {
 /// each liquid. A pair is left out from the
 /// first frame in which it touches in the run, so that until then the runs are the same. Contacts with fixed
 /// objects of the level that conduct nothing are taken for granted, like gravity, unless `everything` is
-/// asked for; and those that are the asked goal itself are not candidates, as it would be no goal without
+/// asked for; and steps that are the asked goal itself are not candidates, as it would be no goal without
 /// them.
 [[nodiscard]] std::vector<Candidate> candidatesOf(Story const& story, SceneFacts const& facts,
                                                   Solution const& solution, bool everything);

@@ -110,7 +110,7 @@ private:
     }
 
     /// Whether one of these events names the object, or there are none: a goal about any three boxes is not
-    /// about those that lie elsewhere.
+    /// about objects that lie elsewhere.
     [[nodiscard]] bool isAbout(std::set<std::size_t> const& stated, std::string const& name) const {
         return stated.empty() || std::any_of(stated.begin(), stated.end(), [&](std::size_t i) {
                    std::vector<std::string> const& objects = events_[i].objects;

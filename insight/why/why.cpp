@@ -92,8 +92,9 @@ void joinDips(Story const& story, std::vector<bool>& told) {
     }
 }
 
-/// For each told step its nearest told ancestors, without those that another one of them follows from. The
-/// contacts that close a circuit are causes side by side: that one came before the other is no reason for it.
+/// For each told step its nearest told ancestors, without the ancestors from which another one of them
+/// follows. The contacts that close a circuit are causes side by side: that one came before the other is no
+/// reason for it.
 std::vector<StepSet> toldCauses(Story const& story, std::vector<bool> const& told) {
     std::size_t const count = story.steps.size();
     std::vector<StepSet> nearest = nearestTold(story, told);

@@ -80,8 +80,8 @@ public:
     /// line: another name or resolver too, as a registry has those for good. nullptr if anything is.
     [[nodiscard]] std::shared_ptr<Script const> read(LiveScript const& script, std::string text,
                                                      Problems& problems) const;
-    /// A version with other defaults of its parameters. Those that it has not, or that are of another kind or
-    /// out of range, are left out.
+    /// A version with other defaults of its parameters. Parameters that it has not, or that are of another
+    /// kind or out of range, are left out.
     [[nodiscard]] std::shared_ptr<Script const> with(Script const& script,
                                                      std::map<std::string, Value> const& defaults) const;
 

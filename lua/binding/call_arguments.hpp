@@ -26,7 +26,8 @@ enum class ArgumentForm {
     /// One after the other in the order of the description, where a vector may be stated as two numbers, or
     /// by name in one table.
     stated,
-    /// In order, with two values for each vector: those that the script gives to vec2() (spreadVectors()).
+    /// In order, with two values for each vector: the arguments that the script gives to vec2()
+    /// (spreadVectors()).
     numbers,
 };
 

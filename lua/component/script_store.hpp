@@ -42,7 +42,7 @@ private:
 
     std::vector<StoreField> objectFields_;
     std::vector<StoreField> scriptFields_;
-    std::map<ObjectId, std::vector<Value>> objects_; // those that have been written to
+    std::map<ObjectId, std::vector<Value>> objects_; // the objects whose store has been written to
     std::vector<Value> script_;
     std::uint64_t seed_;
     std::uint64_t draws_ = 0;

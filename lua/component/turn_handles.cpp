@@ -1,4 +1,4 @@
-// Handles: objects that a script sees besides those that it is applied to.
+// Handles: objects that a script sees besides the objects to which it is applied.
 #include "lua/component/turn_binding.hpp"
 
 #include <fmt/format.h>

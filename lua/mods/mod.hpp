@@ -36,9 +36,9 @@ struct Mod {
 /// The folder of mods that somebody means: it, or the one above it if it is the folder of one mod itself.
 [[nodiscard]] std::filesystem::path modsFolder(std::filesystem::path const& stated);
 
-/// The folders in which mods are looked for, the first that has one counts: those that are stated (each as
-/// modsFolder() takes it), the one
-/// beside a level's pack, the user's ($XDG_DATA_HOME/trembler/mods), and that of the bundled ones, home/mods.
+/// The folders in which mods are looked for, the first that has one counts: the folders that are stated (each
+/// as modsFolder() takes it), the one beside a level's pack, the user's ($XDG_DATA_HOME/trembler/mods), and
+/// that of the bundled ones, home/mods.
 [[nodiscard]] std::vector<std::filesystem::path> modFolders(std::span<std::string const> stated,
                                                             std::filesystem::path const& level,
                                                             std::filesystem::path const& home);
@@ -46,8 +46,8 @@ struct Mod {
 /// Every mod's folder in those, in order of names; of two of one name the first that is found.
 [[nodiscard]] std::vector<std::filesystem::path> listMods(std::span<std::filesystem::path const> folders);
 
-/// The mods of those names and those that they need, in order of their names. What is not there or wrong is
-/// added to `problems`, `by` being the file that needs them.
+/// The mods with the given names and the mods that these need, in order of their names. What is not there or
+/// wrong is added to `problems`, `by` being the file that needs them.
 [[nodiscard]] std::vector<Mod> findMods(std::span<std::string const> names,
                                         std::span<std::filesystem::path const> folders, std::string const& by,
                                         Problems& problems);

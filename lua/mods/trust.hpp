@@ -16,8 +16,8 @@ namespace trembler::lua {
 ///
 ///     {"trusted": ["my-mod"], "most": {"instructions": 400000, "memory": 33554432}}
 ///
-/// `most` are the limits that scripts may state at most, by their keys in scripts; those that are missing are
-/// as they come with the program.
+/// `most` are the limits that scripts may state at most, by their keys in scripts; limits that are missing
+/// are as they come with the program.
 struct ModSettings {
     std::set<std::string, std::less<>> trusted; ///< names of mods
     ScriptLimits most = ScriptLimits::greatest();

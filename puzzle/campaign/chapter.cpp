@@ -100,7 +100,7 @@ nlohmann::ordered_json chapterSchema() {
            {{"type", "number"},
             {"minimum", -mostOrder},
             {"maximum", mostOrder},
-            {"description", "chapters are sorted by it; left out: after those that state one"}}},
+            {"description", "chapters are sorted by it; left out: after the chapters that state one"}}},
           {"kind",
            {{"enum", std::move(kinds)},
             {"description",

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t longestName = 100; // bytes, of the readable part of a file's name
 
-/// FNV-1a, so that long ids and those that differ in unusual letters only have files of their own.
+/// FNV-1a, so that long ids, and ids that differ in unusual letters only, have files of their own.
 std::uint64_t sumOf(std::string const& text) {
     std::uint64_t sum = 14695981039346656037ULL;
     for (char const letter : text) {

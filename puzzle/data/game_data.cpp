@@ -60,8 +60,7 @@ GameData::GameData(std::vector<lua::Mod> loaded)
         std::error_code error;
         mod.bundled = fs::equivalent(mod.folder.parent_path(), home / "mods", error);
     }
-    lua::applyTrust(mods,
-                    {}); // those that came with the program; whoever read the others has decided on them
+    lua::applyTrust(mods, {}); // the mods that come with the program; the caller has decided on all others
     Problems problems;
     scripts = lua::registerMods(registry, mods, scriptLog, problems);
     problems.throwIfAny();

@@ -28,7 +28,7 @@ struct GameData {
     Registry registry;
     PartLibrary parts;
     std::filesystem::path home;
-    std::vector<lua::Mod> mods; ///< those that are loaded
+    std::vector<lua::Mod> mods; ///< the loaded ones
     /// Own parts that cannot be used, for the editor to tell; a level that needs one says so itself.
     std::vector<Diagnostic> ownPartFaults;
     std::shared_ptr<lua::ScriptLog> scriptLog;       ///< what their scripts say

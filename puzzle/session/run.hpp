@@ -43,7 +43,7 @@ public:
     /// Starts the log of inputs and changes. To be called once.
     void begin() { begunWith_ = world().options(); }
     [[nodiscard]] bool begun() const { return begunWith_.has_value(); }
-    /// The options that the run began with, including those that the level states; before begin(), the
+    /// The options that the run began with, including the options that the level states; before begin(), the
     /// world's present options.
     [[nodiscard]] WorldOptions const& begunWith() const {
         return begunWith_ ? *begunWith_ : world().options();

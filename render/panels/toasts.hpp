@@ -16,14 +16,14 @@ enum class ToastKind : std::uint8_t { News, Success, Trouble };
 /// Window thread only.
 class Toasts {
 public:
-    /// Shown for `seconds` (0.5 to 60, else clamped), under those that are there. The oldest goes when there
-    /// are five.
+    /// Shown for `seconds` (0.5 to 60, else clamped), under the toasts that are shown already. The oldest
+    /// goes when there are five.
     void add(std::string text, ToastKind kind = ToastKind::News, double seconds = 4);
 
     /// Corners of a rectangle of the window, pixels from the top left.
     using Rectangle = std::pair<Point, Point>;
     /// Draws them at the top of the window and lets `seconds` pass; between Gui::beginFrame and endFrame.
-    /// Those that would lie on `kept` come below it.
+    /// Toasts that would lie on `kept` come below it.
     void draw(double seconds, std::optional<Rectangle> kept = {});
 
     [[nodiscard]] std::size_t count() const { return toasts_.size(); }

@@ -31,7 +31,7 @@ public:
     /// The events that the last poll took, in order; behind those of a gamepad the keys that they stand for.
     [[nodiscard]] std::span<SDL_Event const> events() const { return events_; }
 
-    /// Takes the keys of gamepads out of this frame's events, and from those that are held: nobody else has
+    /// Takes the keys of gamepads out of this frame's events, and out of the held keys: nobody else has
     /// them then. For a keyboard on the screen.
     std::vector<SDL_Event> takePadKeys();
     /// Adds an event of this frame that only the widgets get, as a keyboard on the screen makes them.

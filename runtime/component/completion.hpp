@@ -67,8 +67,8 @@ template <class... P>
 ///
 /// Stated values are never overwritten: add() leaves a value that the object already has, whether a level
 /// file or a part states it. Each completion completes all objects that are created at the same time before
-/// the next completion runs, and completions that add a property run before those that read it. So neither
-/// the order of objects nor that of registration matters.
+/// the next completion runs, and completions that add a property run before completions that read it. So
+/// neither the order of objects nor that of registration matters.
 template <class Self, class ReadsList, class AddsList>
 class Completion {
     static_assert(detail::isReads<ReadsList> && detail::isAdds<AddsList>,
@@ -216,9 +216,9 @@ concept DerivedFromCompletion = requires(C const* c) {
 
 } // namespace detail
 
-/// The order in which completions run: a completion that adds a property before those that read or need the
-/// property, otherwise as registered. Throws RuleBroken, naming the completions, if there is no such order,
-/// if two add the same property (the first would win), or if two have the same name.
+/// The order in which completions run: a completion that adds a property before the completions that read or
+/// need the property, otherwise as registered. Throws RuleBroken, naming the completions, if there is no such
+/// order, if two add the same property (the first would win), or if two have the same name.
 [[nodiscard]] std::vector<CompletionInfo const*>
 completionOrder(std::span<CompletionInfo const* const> completions);
 

@@ -50,7 +50,7 @@ struct ComponentInfo {
     std::vector<PropertyInfo const*> neededAny{};
     bool onDemand = false;            ///< constructed only while a property that it offers is read
     std::optional<Coverage> memory{}; ///< how the state hash covers its data members, if any
-    bool hashesMemory = false;        ///< it hashes its data members, or those that `memory` leaves open
+    bool hashesMemory = false; ///< it hashes its data members, or the members that `memory` leaves open
     bool inSetup = false; ///< an interaction that is applied in frame 0 as well, before the first advance
 };
 

@@ -20,7 +20,8 @@ struct NotationBox {
     std::span<CallInfo const> calls{};
 };
 
-/// All properties that a component reads: first those that it also writes, then those that it only reads.
+/// All properties that a component reads: first the properties that it also writes, then the properties that
+/// it only reads.
 [[nodiscard]] std::vector<PropertyInfo const*> allRead(ComponentInfo const& info);
 /// Names in braces, or the empty set.
 [[nodiscard]] std::string propertySet(std::vector<PropertyInfo const*> const& properties);

@@ -45,7 +45,7 @@ struct CreateObject {
               self.maker);
         visit(FieldInfo{.key = "number",
                         .unit = "",
-                        .meaning = "unique among those that this maker has created",
+                        .meaning = "unique among the objects that this maker has created",
                         .required = true},
               self.number);
         visit(

@@ -14,7 +14,7 @@ struct PopulationChanges {
     static constexpr PropertyKind kind = PropertyKind::resolver;
     static constexpr PropertyText text{
         "Population changes", "population_changes",
-        "The objects that were created and those that were destroyed in this frame, or this part of it."};
+        "The objects that were created or destroyed in this frame, or this part of it."};
     static constexpr Coverage coverage = hashed;
     std::vector<ObjectId> created;
     std::vector<ObjectId> destroyed; ///< these ids are stale

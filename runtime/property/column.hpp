@@ -197,7 +197,7 @@ public:
             hash.bytes(values_.data(), values_.size() * sizeof(P));
         } else {
             for (P const& value : values_) {
-                hash.members(value); // all members, including those that files never state
+                hash.members(value); // all members, including members that files never state
             }
         }
     }

@@ -132,8 +132,9 @@ private:
     }
 
     // A removal can only lower numbers of readers. The providers of a chosen component stay, as it reads
-    // them, and the choice among candidates does not depend on those that were not chosen. So no component
-    // replaces a removed one, and only the providers of the properties that it read must be checked again.
+    // them, and the choice among candidates does not depend on the candidates that were not chosen. So no
+    // component replaces a removed one, and only the providers of the properties that it read must be checked
+    // again.
     void removeUnread() {
         readers_.assign(graph_.offered.size(), 0);
         for (std::size_t property = 0; property < readers_.size(); ++property) {

@@ -62,8 +62,8 @@ struct SelectionFacts {
 ///    derived properties that it reads and, for an interaction, if one of them is a resolver of its role.
 ///    This is the least such set: components that need each other in a circle are no candidates.
 /// 2. Of candidates that are alternatives one is chosen: the first whose detail level is requested; else the
-///    one of least rank among those that suit the scene, the first of equals; else the first. "First" is by
-///    number.
+///    one of least rank among the candidates that suit the scene, the first of equals; else the first.
+///    "First" is by number.
 /// 3. A chosen component that is computed on demand is removed, with its alternatives, if neither a chosen
 ///    component nor a subscription reads a property that it offers. The interactions that call it are removed
 ///    with it. This repeats, as removed components are no longer readers. A resolver on demand stays while an

@@ -99,7 +99,7 @@ int countOf(std::map<std::string_view, int> const& counts, std::string_view key)
 
 void World::bindAll() {
     unbind();
-    channels_.clearSources(); // those that were bound before an exception
+    channels_.clearSources(); // the sources that were bound before an exception
     for (std::vector<Turn>& turns : turns_) {
         turns.clear();
     }

@@ -27,7 +27,7 @@ void World::setDetail(std::string const& effect, std::string const& level) {
         }
     }
     if (levels.empty()) {
-        throw std::invalid_argument(fmt::format("no effect '{}' has detail levels; those that have: {}",
+        throw std::invalid_argument(fmt::format("no effect '{}' has detail levels; effects that have: {}",
                                                 effect, fmt::join(effects, ", ")));
     }
     std::map<std::string, std::string> before = options_.detail;

@@ -1,4 +1,5 @@
-// What is fuzzed: libFuzzer calls these with inputs that it invents, and a test with those that are kept.
+// What is fuzzed: libFuzzer calls these with inputs that it invents, and a test calls them with the kept
+// inputs.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// The sum of all sounds at one listener, without computing those that cannot change it.
+// The sum of all sounds at one listener, without computing the sounds that cannot change it.
 #pragma once
 
 #include "audio/effect/hearing/obstacle_field.hpp"

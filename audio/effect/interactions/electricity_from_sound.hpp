@@ -11,8 +11,8 @@
 
 namespace trembler {
 
-/// It compares the required connections with those that it has made, as (Electricity <- Dynamics) does. It
-/// belongs to sound, and not to electricity, as physics must build and run without sound.
+/// It compares the required connections with the connections that it has made, as (Electricity <- Dynamics)
+/// does. It belongs to sound, and not to electricity, as physics must build and run without sound.
 class ElectricityFromSound final
     : public Interaction<ElectricityFromSound, ElectricityRole,
                          Reads<Loudness, SoundSensor, Contacts, Conductor, ElectricityGraph>> {

@@ -20,7 +20,7 @@ using namespace render;
 
 constexpr float commandRowHeight = 32;
 
-/// Those that can be run now from a list, sorted by group.
+/// The commands of a list that can be run now, sorted by group.
 std::vector<std::size_t> runnable(CommandSet const& commands) {
     std::vector<std::size_t> all;
     for (std::size_t i = 0; i < commands.size(); ++i) {

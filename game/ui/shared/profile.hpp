@@ -21,7 +21,7 @@ struct Settings {
     bool hrtf = false;          ///< binaural sound for headphones
     bool reducedMotion = false; ///< nothing moves for decoration alone
     bool padIsSecond = false;   ///< the last gamepad is the second player's, even if it is the only one
-    bool clearColours = false;  ///< those that colour-blind eyes tell apart best
+    bool clearColours = false;  ///< colours that colour-blind eyes distinguish best
     std::string language{};     ///< "en", "de"; empty: that of the desktop
 };
 

@@ -1,5 +1,5 @@
-// The functions of the host that Lua calls: those that the prelude is given, and those by which the sandbox
-// runs a script in protected mode.
+// The functions of the host that Lua calls: the arguments of the prelude, and the functions by which the
+// sandbox runs a script in protected mode.
 #include "lua/sandbox/prelude/host_functions.hpp"
 
 #include "lua/sandbox/exact_math.hpp"

@@ -1,5 +1,5 @@
-// The functions of the host that Lua calls: those that the prelude is given, and those by which the sandbox
-// runs a script in protected mode.
+// The functions of the host that Lua calls: the arguments of the prelude, and the functions by which the
+// sandbox runs a script in protected mode.
 #pragma once
 
 #include "lua/sandbox/sandbox.hpp"

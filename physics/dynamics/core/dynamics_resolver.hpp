@@ -56,7 +56,7 @@ private:
     /// Returns whether the pairs that touch have changed.
     bool updateContacts(Access& access);
     void traceContacts(Access& access);
-    /// Updates the forces of all joints, or only of those that can break.
+    /// Updates the forces of all joints, or only of the joints that can break.
     void updateJoints(Access& access, bool all);
     void updatePatches(Access& access);
     void updateImpacts(Access& access, bool moved);

@@ -27,7 +27,7 @@ void Contacts::gather(Contacts& frame, Contacts const& part, PartSpan span) {
         return;
     }
     // The pairs that touched at the frame's beginning, with the events with which these contacts began or
-    // ended, and those that have touched at any time since.
+    // ended, and the pairs that have touched at any time since.
     Pairs const ended = both(frame.ended, part.ended);
     Pairs const begun = both(frame.begun, part.begun);
     Pairs const atFirst = both(without(frame.current, frame.begun), frame.ended);

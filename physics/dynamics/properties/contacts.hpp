@@ -37,8 +37,8 @@ struct Contacts {
     static constexpr PropertyKind kind = PropertyKind::resolver;
     static constexpr PropertyText text{
         "C_C, C_N, C_P", "contacts",
-        "The pairs of objects that touch, those that began to touch in this frame and "
-        "those that ceased to."};
+        "The pairs of objects that touch, the pairs that began to touch in this frame, and "
+        "the pairs that ceased to."};
     static constexpr Coverage coverage = hashed;
     std::vector<TouchingPair> current; ///< C_C
     std::vector<TouchingPair> begun;   ///< C_N

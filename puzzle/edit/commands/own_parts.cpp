@@ -54,7 +54,7 @@ Json partFrom(GameData const& data, Json const& level, std::vector<std::string> 
         throw CommandError(fmt::format("there is already a part '{}'", partNames.name));
     }
     if (std::find(names.begin(), names.end(), main) == names.end()) {
-        throw CommandError("the main object must be one of those that the part is made of");
+        throw CommandError("the main object must be one of the objects that the part is made of");
     }
     Json part{{"name", partNames.name}};
     if (!partNames.title.empty() && partNames.title != partNames.name) {
@@ -98,7 +98,7 @@ Command replaceByPart(GameData const& data, Json const& level, std::vector<std::
                       std::string const& main, std::string const& part) {
     mustHaveObjects(level, names);
     if (std::find(names.begin(), names.end(), main) == names.end()) {
-        throw CommandError("the main object must be one of those that are replaced");
+        throw CommandError("the main object must be one of the objects that are replaced");
     }
     bool const ofPieces = names.size() > 1 || isComposite(data, *findObject(level, main));
     return {fmt::format("Replace {} by {}", objectsInWords(names), part),

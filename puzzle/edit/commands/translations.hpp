@@ -33,7 +33,7 @@ struct TranslatedText {
 [[nodiscard]] Command translateTitle(Json const& level, std::string const& language,
                                      std::string const& title);
 [[nodiscard]] Command translateText(Json const& level, std::string const& language, std::string const& text);
-/// A language has all hints or none, so the others are added as they are; those that are all as in the level
+/// A language has all hints or none, so the others are added as they are; hints that are all as in the level
 /// are removed.
 [[nodiscard]] Command translateHint(Json const& level, std::string const& language, std::size_t index,
                                     std::string const& hint);

@@ -30,7 +30,7 @@ struct Command {
     /// Changes the tree of a level. May throw CommandError, having changed the tree or not: the document
     /// works on a copy.
     std::function<void(Json& level)> change;
-    /// The objects that should be selected afterwards: those that it made, moved or renamed.
+    /// The objects that should be selected afterwards: the objects that it made, moved or renamed.
     std::vector<std::string> selects{};
 };
 

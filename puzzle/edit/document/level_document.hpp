@@ -88,7 +88,7 @@ public:
     [[nodiscard]] std::uint64_t newGesture() { return ++lastGesture_; }
     [[nodiscard]] bool canUndo() const { return done_ > 0; }
     [[nodiscard]] bool canRedo() const { return done_ < steps_.size(); }
-    /// The names of all steps, the oldest first, also of those that were undone; the first done() are done.
+    /// The names of all steps, the oldest first, also of steps that were undone; the first done() are done.
     [[nodiscard]] std::vector<std::string> history() const;
     [[nodiscard]] std::size_t done() const { return done_; }
     /// The name of the step that undo() or redo() is about; empty if there is none.

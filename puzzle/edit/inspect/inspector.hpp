@@ -74,12 +74,12 @@ struct InspectedPiece {
 [[nodiscard]] std::vector<InspectedProperty> inspectObjects(GameData const& data, Json const& level,
                                                             std::vector<std::string> const& names,
                                                             std::string const& piece = {});
-/// Those that at least one of the objects, or of their pieces, does not have, by name.
+/// The properties that at least one of the objects, or of their pieces, does not have, by name.
 [[nodiscard]] std::vector<AddableProperty> addableProperties(GameData const& data, Json const& level,
                                                              std::vector<std::string> const& names,
                                                              std::string const& piece = {});
-/// The pieces that all the objects have or state something about, by name; also those that their parts do not
-/// have, which are problems.
+/// The pieces that all the objects have or state something about, by name; also pieces that their parts do
+/// not have, which are problems.
 [[nodiscard]] std::vector<InspectedPiece> inspectPieces(GameData const& data, Json const& level,
                                                         std::vector<std::string> const& names);
 /// The properties of the world, stated or not, by name; setWorldField() changes them.

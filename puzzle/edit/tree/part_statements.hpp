@@ -12,7 +12,7 @@
 
 namespace trembler::edit {
 
-/// One object among those that a composite part consists of.
+/// One of the objects of which a composite part consists.
 struct PartPiece {
     std::string name;  ///< as "pieces" of an entry states it: "coil", "lamp holder bulb"
     bool main = false; ///< the one that "properties" of an entry are about

@@ -17,7 +17,7 @@ namespace trembler::edit {
 /// Not thread-safe. The data must outlive it.
 class EditedWorld {
 public:
-    /// Builds the world of a level, which was read from `tree` and may lack some of its entries. Those that
+    /// Builds the world of a level, which was read from `tree` and may lack some of its entries. Entries that
     /// cannot be built are left out and counted by leftOut(): a level under construction is seen all the
     /// same. Never throws InputError.
     void build(GameData const& data, LevelFile const& level, Json const& tree);

@@ -32,8 +32,8 @@ struct BuiltLevel {
 /// Builds and starts the world of a level with the player's placements. Throws InputError, with the places in
 /// the file, for all faults: unknown parts, references to missing objects, properties that break a rule of
 /// the registry, connections that no effect or more than one can make, placements that are not allowed.
-/// `registry` must outlive the world. Detail levels in the options override those that the level states.
-/// `wires` are those that the player has laid, by the names of their ends.
+/// `registry` must outlive the world. Detail levels in the options override the levels that the level file
+/// states. `wires` are the wires that the player has laid, by the names of their ends.
 ///
 /// Objects are created in canonical order: "world", the level's objects by name, its joints by name, then the
 /// placements in their own canonical order; a composite becomes its pieces and joints, see PartExpander. The

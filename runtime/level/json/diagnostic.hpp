@@ -42,7 +42,7 @@ public:
     template <class Make>
     friend void addProblem(Problems& problems, Make&& make);
     [[nodiscard]] bool empty() const { return count_ == 0; }
-    /// The number of all problems added, including those that were not kept.
+    /// The number of all problems added, including the problems that were not kept.
     [[nodiscard]] std::size_t count() const { return count_; }
     /// Throws InputError, in order of the places in the files, if there is any problem.
     void throwIfAny() const;

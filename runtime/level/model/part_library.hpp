@@ -22,7 +22,7 @@ struct PartDefinition {
     std::string name;  ///< by which levels refer to it, for example "steel bar"
     std::string title; ///< for players
     std::string text;  ///< for players: its function
-    /// Of a composite: of its main piece, in addition to those that the piece states.
+    /// Of a composite: of its main piece, in addition to the properties that the piece states.
     PropertySet properties;
     std::shared_ptr<JsonDocument const> document; ///< may be null
     Translations texts{};                         ///< in further languages

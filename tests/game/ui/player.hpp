@@ -46,7 +46,7 @@ inline GameData const& gameData() {
     return theGameData;
 }
 
-/// With the mods that a level names: of those beside it or of those that come with the program.
+/// With the mods that a level names: mods beside it, or mods that come with the program.
 inline std::shared_ptr<GameData const> dataWithMods(std::filesystem::path const& level) {
     std::vector<std::string> const names = lua::modsNamedBy(level);
     if (names.empty()) {

@@ -1,4 +1,4 @@
-// Small differences pass, those that a player would notice do not.
+// Small differences pass, differences that a player would notice do not.
 #include "tests/game/ui/stored_picture.hpp"
 
 #include <gtest/gtest.h>

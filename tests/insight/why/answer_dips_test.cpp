@@ -1,4 +1,4 @@
-// Of several bodies that dip into water, those that are necessary are told apart from coincidences.
+// Of several bodies that dip into water, the necessary ones are distinguished from coincidences.
 #include "insight/why/answer.hpp"
 #include "runtime/level/json/json_document.hpp"
 #include "runtime/level/read/read_level.hpp"

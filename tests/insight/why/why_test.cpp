@@ -1,4 +1,4 @@
-// The chains that are told of the thesis's experiments and of levels are those that their accounts name.
+// The chains of causes of the thesis's experiments and of levels are the chains that their accounts name.
 #include "insight/why/words.hpp"
 #include "physics/dynamics/properties/overlap.hpp"
 #include "runtime/level/read/read_level.hpp"

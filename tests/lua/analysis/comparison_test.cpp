@@ -36,7 +36,7 @@ void expectNoErrors(Comparison const& comparison, bool equal) {
         << comparison.firstDiffers.value_or(0);
 }
 
-/// For a sanitizer, which looks for faults in what runs: all scripts in one world, those that give the same
+/// For a sanitizer, which looks for faults in what runs: all scripts in one world, scripts that give the same
 /// world as the interactions in C++ and the others. Without one they are compared one by one.
 void expectNoFaults(GameData const& data) {
     std::vector<Counterpart> equal;

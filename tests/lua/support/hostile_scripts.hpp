@@ -8,9 +8,9 @@
 
 namespace trembler::lua {
 
-/// Its folders are `chunk`, with scripts that are run as a chunk of their own, `apply`, with those that use
-/// what `apply` is given, and `manifest`, with those that are only read. In these, scripts are sorted by what
-/// they attack.
+/// Its folders are `chunk`, with scripts that are run as a chunk of their own, `apply`, with scripts that use
+/// what `apply` is given, and `manifest`, with scripts that are only read. In these, scripts are sorted by
+/// what they attack.
 inline std::filesystem::path hostileFolder() {
     return std::filesystem::path(TREMBLER_SOURCE_DIR) / "tests/lua/hostile";
 }

@@ -26,7 +26,7 @@ TEST(Chapter, StatesItsTitlePlaceAndKind) {
     EXPECT_EQ(all.kind, ChapterKind::gallery);
     Chapter const least = chapterFrom(R"({"title": "Water"})");
     EXPECT_EQ(least.kind, ChapterKind::puzzles);
-    EXPECT_GT(least.order, 100) << "after those that state an order";
+    EXPECT_GT(least.order, 100) << "after the chapters that state an order";
 }
 
 TEST(Chapter, ErrorsAreRefusedWithTheirPlace) {

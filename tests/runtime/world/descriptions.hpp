@@ -28,9 +28,10 @@ public:
         int rank = 0;
         Names needs{};    ///< objects with all of these
         Names needsAny{}; ///< objects with at least one of these
-        Names reads{};    ///< resolver and derived properties; of objects those that begin with "o"
-        Names offers{};   ///< resolver or derived properties
-        int role = 0;     ///< of resolvers and interactions
+        Names
+            reads{}; ///< resolver and derived properties; of object properties the names that begin with "o"
+        Names offers{}; ///< resolver or derived properties
+        int role = 0;   ///< of resolvers and interactions
         bool onDemand = false;
     };
 

@@ -1,4 +1,4 @@
-// Components whose constructors fail: the world goes on with those that it has, and tries again.
+// Components whose constructors fail: the world goes on with the components that it has, and tries again.
 #include "tests/runtime/world/heat.hpp"
 
 #include <gtest/gtest.h>

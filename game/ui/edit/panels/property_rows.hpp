@@ -8,8 +8,8 @@ namespace trembler::ui {
 
 /// A property of the selected objects, with its fields, and buttons to reset and to remove it.
 void drawObjectProperty(EditParts& parts, edit::InspectedProperty const& property);
-/// The scripts of the selected objects: a drop-down of those that the level's mods have, with the widgets of
-/// their parameters.
+/// The scripts of the selected objects: a drop-down of the scripts that the level's mods have, with the
+/// widgets of their parameters.
 void drawScripts(EditParts& parts, edit::InspectedProperty const* property);
 void drawWorldProperty(EditParts& parts, edit::InspectedProperty const& property);
 

@@ -41,7 +41,7 @@ bool hasWire(PlayParts const& parts) {
     return parts.session.level().wires > 0;
 }
 
-/// In a run any wire is cut; before it, those that the player has laid are put back.
+/// In a run any wire is cut; before it, the wires that the player has laid are put back.
 void cut(PlayParts& parts) {
     if (parts.whatIf->atMoment()) {
         parts.whatIfTool->setCutting(!parts.whatIfTool->cutting());

@@ -12,8 +12,8 @@ namespace trembler::ui {
 
 struct PlayParts;
 
-/// Two kinds of cards are kept clear. Those that always stand around the level (goal, toolbox, buttons) count
-/// as they were while the player built, so that the view does not move when a run begins. Those that the
+/// Two kinds of cards are kept clear. Cards that always stand around the level (goal, toolbox, buttons) count
+/// as they were while the player built, so that the view does not move when a run begins. Cards that the
 /// player opens and closes (components, mods, inspector, why) count while they are open, also in a run, over
 /// their whole column down to the buttons, so that the view moves once and not with each line in them. In a
 /// window without room for the level beside such a card, the card lies over it: see worthwhile in the source

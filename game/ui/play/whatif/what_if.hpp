@@ -35,7 +35,7 @@ public:
     void end();
     /// Shows one of kept() again.
     void again(std::size_t kept);
-    /// Those that have ended, the latest last; without those in which nothing was changed.
+    /// The runs that have ended, the latest last; without the runs in which nothing was changed.
     [[nodiscard]] std::vector<insight::WhatIf> const& kept() const { return kept_; }
     /// The session's run has ended, or begins again.
     void forget();

@@ -8,8 +8,8 @@
 
 namespace trembler::ui {
 
-/// The object's name and all its fields that can be set; changes those that the player sets. Items are called
-/// "set PROPERTY.FIELD". Inside a card.
+/// The object's name and all its fields that can be set; changes the fields that the player sets. Items are
+/// called "set PROPERTY.FIELD". Inside a card.
 void drawWhatIfFields(Layout& layout, WhatIfView& view, std::string const& object);
 
 } // namespace trembler::ui

@@ -8,7 +8,7 @@
 
 namespace trembler::ui {
 
-/// The objects in `world` of the step that is looked at; of a miss, those that it is about.
+/// The objects in `world` of the step that is looked at; of a miss, the objects that the miss is about.
 [[nodiscard]] std::vector<ObjectId> objectsOfStep(WhyPanel const& panel, World const& world);
 /// Rings where the steps happened, with arrows from causes to effects; of a miss, dashed lines along what was
 /// missing. Before Canvas::end.

@@ -64,7 +64,7 @@ public:
     [[nodiscard]] bool nothing() const { return nothing_; }
     /// What the card says: each step of the chain, or what the nearest miss was.
     [[nodiscard]] std::vector<std::string> lines() const;
-    /// The step that is looked at, of those that lines() are about; a miss is step 0.
+    /// The index of the step that is looked at, among the steps of lines(); a miss is step 0.
     [[nodiscard]] std::optional<std::size_t> step() const { return step_; }
     /// Looks at the next step, or the one before, around the ends, and returns its moment; nothing without an
     /// answer.

@@ -37,8 +37,8 @@ struct CatalogGroup {
 /// The stars of several levels.
 struct StarCount {
     int won = 0;
-    /// Of those that are shown of each level before they are reached (shownStars): a third star of one level
-    /// does not stand for the second of another.
+    /// Of the stars that are shown for each level before they are reached (shownStars): a third star of one
+    /// level does not stand for the second of another.
     int missing = 0;
 };
 

@@ -27,7 +27,7 @@ public:
     [[nodiscard]] unsigned texture(CatalogEntry const& level, render::Size size);
     /// Whether a picture that was asked for has not been drawn yet.
     [[nodiscard]] bool waiting() const { return waiting_; }
-    /// Forgets that pictures were asked for; those that are asked for again wait again.
+    /// Forgets all requests for pictures; a picture that is requested again waits again.
     void forgetWaiting() { waiting_ = false; }
 
 private:

@@ -112,7 +112,7 @@ private:
     /// Finds a set of bodies that contains at least one body of each pair that moved far apart; false if it
     /// is not smaller than farSlots_, which is such a set, too.
     [[nodiscard]] bool findDeviating();
-    /// Reports the touches of pairs that moved far apart if they differ from those that Box2D has.
+    /// Reports the touches of pairs that moved far apart if they differ from the touches that Box2D has.
     void reportStaleTouches();
     void reportIfStale(b2Contact* contact, SlotIndex slot, SlotIndex other);
     /// Whether the change has been reported already. It is then removed from reported_.

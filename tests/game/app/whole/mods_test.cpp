@@ -38,7 +38,7 @@ TEST_F(Mods, ANewModIsGood) {
     EXPECT_TRUE(contains(checked.out, "all good")) << checked.out;
     Ran const listed = run({"mod", "list", "--mod", folder.string()});
     EXPECT_TRUE(contains(listed.out, "(Dynamics <- my-mod)")) << listed.out;
-    EXPECT_TRUE(contains(listed.out, "(Dynamics <- Wind)")) << "and those that come with the program";
+    EXPECT_TRUE(contains(listed.out, "(Dynamics <- Wind)")) << "and the mods that come with the program";
 }
 
 TEST_F(Mods, AMistakeIsReportedWithFileAndLineAndNothingIsChecked) {

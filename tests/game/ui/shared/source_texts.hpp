@@ -43,8 +43,8 @@ void forEachSource(std::initializer_list<char const*> folders, Use&& use) {
     }
 }
 
-/// The literal that begins at `at`, where there is a quotation mark, with those that follow it at once; `at`
-/// is behind it afterwards.
+/// The literal that begins at `at`, where there is a quotation mark, with the literals that follow it at
+/// once; `at` is behind it afterwards.
 inline std::string literalAt(std::string const& source, std::size_t& at) {
     std::string text;
     for (;;) {
@@ -190,7 +190,7 @@ inline std::set<std::string> textsAskedFor() {
     return all;
 }
 
-/// The ids among the known ones that a source of the window's mentions, and those that it asks for.
+/// The known ids that a source of the window mentions, and the ids that it asks for.
 inline std::set<std::string> idsMentioned(std::set<std::string> const& known) {
     std::set<std::string> ids;
     static std::regex const call(R"re(\btext(?:With)?\("([a-z_]+\.[a-z_.]+)")re");

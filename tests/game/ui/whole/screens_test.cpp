@@ -318,7 +318,7 @@ TEST(Stars, AnotherKindOfSolutionHasOne) {
         ASSERT_TRUE(player.session().solved());
         EXPECT_EQ(stars(), part == "spanner" ? 2 : 1);
     }
-    // It is the only puzzle of these chapters besides those that are not solved yet.
+    // It is the only puzzle of these chapters besides the puzzles that are not solved yet.
     for (CatalogGroup const& chapter : player.app().context().levels.groups()) {
         for (CatalogEntry const& entry : chapter.levels) {
             player.app().context().profile.markSolved(entry.id);

@@ -34,7 +34,7 @@ void compareWithStored(Player& player, std::string const& screen) {
     render::Image const got = inBlocks(picture, timesOn(player.layout()));
     fs::path const file = storedFolder() / (screen + ".png");
     if (std::getenv("TREMBLER_STORE_PICTURES") != nullptr) {
-        // Those that differ by less than the tolerance stay as they are.
+        // Pictures that differ by less than the tolerance stay as they are.
         if (!fs::exists(file) || !compare(render::readPng(file), got).same()) {
             writePng(got, file);
         }

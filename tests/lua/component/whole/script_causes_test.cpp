@@ -1,4 +1,5 @@
-// The causes of a script's calls in the trace: those that the host states, and none that a script makes up.
+// The causes of a script's calls in the trace: the causes that the host states, and none that a script makes
+// up.
 #include "tests/lua/support/script_world.hpp"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // Numerically difficult circuits: twelve orders of magnitude, ten thousand nodes, loops and stars of ideal
-// conductors, values beyond those that files may state.
+// conductors, values beyond the values that files may state.
 #include "measure/stability/netlist_draft.hpp"
 #include "physics/electricity/analyses/kept_analyses.hpp"
 #include "physics/electricity/analyses/nodal_analysis.hpp"

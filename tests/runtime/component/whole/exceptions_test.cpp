@@ -174,7 +174,7 @@ TEST_F(Turns, ThatFailLeaveATraceOfTheCallsThatWereMade) {
     std::erase_if(heating, [](auto const& one) { return one.second == 0; });
     std::map<std::uint64_t, int> const expected{{1, 2}, {5, 2}};
     EXPECT_EQ(struck, expected);
-    EXPECT_EQ(heating, expected) << "those that are held from frame 5 on are new";
+    EXPECT_EQ(heating, expected) << "the calls that are held from frame 5 on are new";
 }
 
 TEST_F(Turns, OfAResolverThatFailCarryOutNoCallTwice) {

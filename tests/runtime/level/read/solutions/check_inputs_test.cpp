@@ -1,4 +1,4 @@
-// Recorded inputs of a solution: those that are accepted, and those that are impossible in their level.
+// Recorded inputs of a solution: accepted inputs, and inputs that are impossible in their level.
 #include "runtime/level/read/solutions/check_inputs.hpp"
 #include "tests/runtime/level/sample_properties.hpp"
 
