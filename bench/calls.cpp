@@ -202,7 +202,7 @@ void measure(int threads, bench::Table& table, std::string const& name) {
     }
 }
 
-// An interaction for each number, as they are told apart by their types.
+// An interaction for each number, as interactions are distinguished by their types.
 constexpr int sleepers = 128;
 template <int number>
 constexpr std::array<char, 10> sleeperName{'S', 'l', 'e', 'e', 'p', ' ', 'a' + number / 26, 'a' + number % 26,

@@ -38,7 +38,7 @@ match($0, /^ *[0-9]+\/[0-9]+ Test +#[0-9]+: /) {
     } else if (!group) {
         print "fail", number, name
     } else if (failed[number]) {
-        # its cases are told above
+        # its cases are printed above
     } else if (passed[number] && tracer[number]) {
         print "leakless", number, name
     } else if (passed[number]) {

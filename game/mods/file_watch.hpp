@@ -39,7 +39,7 @@ private:
     struct File {
         std::filesystem::path path;
         Stamp stamp;
-        std::optional<std::string> text; // as last told
+        std::optional<std::string> text; // as last reported
         bool changing = false;           // the stamp is new since the last look
     };
     [[nodiscard]] static Stamp stampOf(std::filesystem::path const& path);

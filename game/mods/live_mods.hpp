@@ -33,7 +33,7 @@ struct ModScript {
     int saved = 0;                              ///< how often another version took over
 };
 
-/// Something to tell the player.
+/// A message to the player.
 struct ModMessage {
     std::string text;
     bool trouble = false;

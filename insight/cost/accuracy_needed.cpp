@@ -154,10 +154,10 @@ std::vector<WayToCompute> waysToCompute(LevelUnderTest const& level, Workers& wo
     std::vector<WayToCompute> done;
     for (std::size_t index = 0; index < ways.size(); ++index) {
         if (results[index]) {
-            nlohmann::json const told = nlohmann::json::parse(*results[index]);
-            ways[index].differs = told.at(0).get<std::string>();
+            nlohmann::json const parsed = nlohmann::json::parse(*results[index]);
+            ways[index].differs = parsed.at(0).get<std::string>();
             ways[index].keepsAll = ways[index].differs.empty();
-            ways[index].microseconds = told.at(1).get<double>();
+            ways[index].microseconds = parsed.at(1).get<double>();
             done.push_back(ways[index]);
         }
     }

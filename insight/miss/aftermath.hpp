@@ -9,10 +9,10 @@
 
 namespace trembler::insight {
 
-/// Looks at the parts of a condition that all have to hold, in the time for which it should have held on. Of
-/// each part the longest time is told for which it did not hold: how far it was from holding at the worst,
-/// and what a liquid lacked when that began. What was broken only as briefly as by a bounce is told only if
-/// nothing else was. Not thread-safe.
+/// Looks at the parts of a condition that all have to hold, in the time for which it should have held on.
+/// Reports, for each part, the longest time for which it did not hold: how far it was from holding at the
+/// worst, and what a liquid lacked when that began. A part that was broken only as briefly as by a bounce is
+/// reported only if no other part was broken. Not thread-safe.
 class Aftermath {
 public:
     /// A break shorter than this number of frames counts as a bounce.

@@ -30,7 +30,7 @@ struct CircuitCut {
     bool hopeless = false;
 };
 
-/// Looks at the conductors of one world. The work is done anew only if something has moved and the last look
+/// Looks at the conductors of one world. The work is done again only if something has moved and the last look
 /// was `patience` frames ago, or a connection has changed. Not thread-safe.
 class CircuitSight {
 public:

@@ -292,7 +292,7 @@ Miss ConditionMiss::now(World const& world, CircuitSight& circuits) const {
     std::string_view const key = state_.condition().kind->key();
     auto const kind = std::find_if(kinds.begin(), kinds.end(), [&](auto const& k) { return k.key == key; });
     Miss miss = kind == kinds.end() ? otherWayRound(state_) : kind->miss(*this, world, circuits);
-    // What does not hold is not met, even if it is as near as its numbers can tell.
+    // What does not hold is not met, even if its numbers show no distance.
     miss.measure = std::clamp(miss.measure, std::numeric_limits<double>::epsilon(), 1.0);
     if (timed) {
         miss.measure = shareOfTime + (1 - shareOfTime) * miss.measure;

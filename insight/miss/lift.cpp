@@ -285,7 +285,7 @@ private:
     std::optional<Neighbours> neighbours_;
 };
 
-/// For the way that one object lacks; whether there is anything to tell.
+/// For the way that one object lacks; returns whether anything was added.
 bool LiftTeller::addOf(Miss& miss, ObjectId mover, Vec2 way) {
     if (!rises(way)) {
         return false;

@@ -36,7 +36,7 @@ struct Panel {
 /// In the order in which the units come. The series must outlive them.
 [[nodiscard]] std::vector<Panel> panelsOf(std::span<Series const> series, int ticks);
 
-/// The red, green and blue of the line number n, told apart by the colour-blind (Okabe and Ito).
+/// The red, green and blue of the line number n, distinguishable for the colour-blind (Okabe and Ito).
 [[nodiscard]] unsigned lineColour(std::size_t n);
 
 /// A picture of all series over the frames up to `last`, in SVG 1.1: a panel for each unit above a common

@@ -96,12 +96,12 @@ private:
             if (!results[i + 1]) {
                 continue;
             }
-            nlohmann::json const told = nlohmann::json::parse(*results[i + 1]);
+            nlohmann::json const parsed = nlohmann::json::parse(*results[i + 1]);
             SolutionReport one;
             one.name = solutions[i].name;
             one.expected = solutions[i].solves;
-            one.needs = needsFrom(told.at(0).get<std::string>(), solutions[i]);
-            one.graph = causeGraphFrom(told.at(1).get<std::string>());
+            one.needs = needsFrom(parsed.at(0).get<std::string>(), solutions[i]);
+            one.graph = causeGraphFrom(parsed.at(1).get<std::string>());
             report_.solutions.push_back(std::move(one));
         }
         report_.examined = std::all_of(results.begin(), results.end(),

@@ -12,7 +12,7 @@
 namespace trembler::insight {
 namespace {
 
-/// What identifies a solution in keys. The name tells two apart that state the same.
+/// What identifies a solution in keys. The name distinguishes two solutions that state the same.
 std::string nameInKeys(LevelUnderTest const& level, Solution const& solution, std::uint64_t frames) {
     return fmt::format("{}/{}/{}/{}", level.identity(), identityOf(solution), solution.name, frames);
 }
@@ -59,11 +59,11 @@ std::vector<Robustness> robustnessOf(LevelUnderTest const& level, std::vector<So
         if (!results[index]) {
             continue;
         }
-        nlohmann::json const told = nlohmann::json::parse(*results[index]);
+        nlohmann::json const parsed = nlohmann::json::parse(*results[index]);
         Robustness& robustness = found[runs[index].solution];
-        robustness.runs += told.at(0).get<bool>() ? 1 : 0;
-        robustness.solved += told.at(1).get<bool>() ? 1 : 0;
-        robustness.redrawn += told.at(2).get<int>();
+        robustness.runs += parsed.at(0).get<bool>() ? 1 : 0;
+        robustness.solved += parsed.at(1).get<bool>() ? 1 : 0;
+        robustness.redrawn += parsed.at(2).get<int>();
     }
     return found;
 }

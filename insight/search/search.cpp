@@ -164,9 +164,9 @@ private:
             if (!text) {
                 continue;
             }
-            nlohmann::json const told = nlohmann::json::parse(*text);
-            Solution const solution = solutionFrom(told.at(0).get<std::string>());
-            TrialResult const result = trialFrom(told.at(1).get<std::string>());
+            nlohmann::json const parsed = nlohmann::json::parse(*text);
+            Solution const solution = solutionFrom(parsed.at(0).get<std::string>());
+            TrialResult const result = trialFrom(parsed.at(1).get<std::string>());
             ++result_.runs;
             if (result.solved) {
                 ++result_.solved;
@@ -213,9 +213,9 @@ private:
         });
         for (std::size_t i = 0; i < chosen.size(); ++i) {
             if (examined[i]) {
-                nlohmann::json const told = nlohmann::json::parse(*examined[i]);
-                keep({needsFrom(told.at(0).get<std::string>(), chosen[i].second),
-                      causeGraphFrom(told.at(1).get<std::string>()), chosen[i].first, 0});
+                nlohmann::json const parsed = nlohmann::json::parse(*examined[i]);
+                keep({needsFrom(parsed.at(0).get<std::string>(), chosen[i].second),
+                      causeGraphFrom(parsed.at(1).get<std::string>()), chosen[i].first, 0});
             }
         }
         for (FoundSolution& found : result_.found) {

@@ -55,12 +55,12 @@ Journal::Journal(fs::path file, Team& team) : file_(ofMember(file, team.rank()))
         }
     }
     std::string const message = nlohmann::json{{"problem", problem}, {"known", contents}}.dump();
-    nlohmann::json const told = nlohmann::json::parse(team.exchange(team.leads() ? message : "").front());
-    if (!told["problem"].get<std::string>().empty()) {
-        throw std::invalid_argument(told["problem"].get<std::string>());
+    nlohmann::json const parsed = nlohmann::json::parse(team.exchange(team.leads() ? message : "").front());
+    if (!parsed["problem"].get<std::string>().empty()) {
+        throw std::invalid_argument(parsed["problem"].get<std::string>());
     }
     known_ =
-        nlohmann::json::parse(told["known"].get<std::string>()).get<std::map<std::string, std::string>>();
+        nlohmann::json::parse(parsed["known"].get<std::string>()).get<std::map<std::string, std::string>>();
     descriptor_ = ::open(file_.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
     if (descriptor_ < 0) {
         refuseJournal(file_, errno);

@@ -146,17 +146,17 @@ std::vector<std::optional<std::string>> Workers::share(std::span<std::string con
         }
         return results;
     }
-    nlohmann::json told = {{"stopped", own.stopped()}, {"results", nlohmann::json::array()}};
+    nlohmann::json answer = {{"stopped", own.stopped()}, {"results", nlohmann::json::array()}};
     for (std::size_t const index : mine) {
         if (results[index]) {
-            told["results"].push_back({index, *results[index]});
+            answer["results"].push_back({index, *results[index]});
         }
     }
     if (own.failure()) {
-        told["failure"] = {own.failure()->first, own.failure()->second};
+        answer["failure"] = {own.failure()->first, own.failure()->second};
     }
     std::optional<std::pair<std::size_t, std::string>> first;
-    for (std::string const& text : team_->exchange(told.dump())) {
+    for (std::string const& text : team_->exchange(answer.dump())) {
         nlohmann::json const heard = nlohmann::json::parse(text);
         stopped_ = stopped_ || heard["stopped"].get<bool>();
         for (nlohmann::json const& entry : heard["results"]) {

@@ -98,7 +98,7 @@ void Recording::lookAtSlots(Store const& store) {
             continue;
         }
         std::size_t const part = place({RecordedPart::Kind::slot, recorded.info});
-        // News of a frame in parts are gathered anew, whether or not the last part wrote them.
+        // News of a frame in parts are gathered again, whether or not the last part wrote them.
         if (std::exchange(versions_[part], slot->version()) != slot->version() || slot->reportsNews()) {
             Words words;
             WordWriter out(words);

@@ -30,7 +30,7 @@ struct Question {
     std::optional<SightedEvent> sighted{}; ///< the last such event up to then
 };
 
-/// Nothing that could be told has happened to what was asked about.
+/// Nothing that can be explained has happened to the object or goal in question.
 struct NothingHappened : std::invalid_argument {
     using std::invalid_argument::invalid_argument;
 };
@@ -63,7 +63,7 @@ struct Answer {
     bool confirmed = false;
     std::optional<GoalMiss> nearest; ///< of a goal that was not met
     std::size_t runs = 0;            ///< how many runs it took
-    bool complete = true;            ///< false: it was cancelled, and tells what it had by then
+    bool complete = true;            ///< false: it was cancelled, and has what was found by then
     SceneFacts facts;
     std::uint64_t frames = 0; ///< of the run that was asked about
 };
@@ -84,7 +84,7 @@ struct AskOptions {
 /// a cause, and for sets of them. A pure function of its arguments, as long as `progress` returns true; may
 /// be called from any thread; does not depend on the number of threads. Throws std::invalid_argument, naming
 /// what there is instead, if there is no such goal, event or object, and if the run is not possible;
-/// NothingHappened if there is nothing to tell.
+/// NothingHappened if there is nothing to explain.
 [[nodiscard]] Answer why(LevelRuns const& runs, Solution const& solution, Question const& question,
                          AskOptions const& options = {});
 

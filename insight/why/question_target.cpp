@@ -12,7 +12,7 @@
 namespace trembler::insight {
 namespace {
 
-/// How a step tells what an object is like; a pull or a touch that ended says nothing.
+/// What a step says about the state of an object; a pull or a touch that ended says nothing.
 bool tellsState(StepKind kind) {
     return kind != StepKind::goal && kind != StepKind::other;
 }

@@ -15,7 +15,7 @@ public:
     /// To be called after every frame of a world that is traced.
     void look(World const& world);
 
-    /// Of an event of which a step may tell (kindOf()), m, in the world: of a contact, the middle between the
+    /// Of an event that a step may describe (kindOf()), m, in the world: of a contact, the middle between the
     /// two objects where they were nearest to each other at the end of the frame; else where its first object
     /// was. `otherwise` if that is not known, as of an object that is gone.
     [[nodiscard]] Vec2 of(EventId event, Vec2 otherwise) const;

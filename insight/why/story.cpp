@@ -186,19 +186,19 @@ Story storyOf(std::span<Event const> events, EventId asked, SceneFacts const& fa
         ++count;
     }
     std::vector<std::set<std::size_t>> const causes = Reader(events.first(count), facts).causes();
-    std::set<std::size_t> told{target};
+    std::set<std::size_t> reached{target};
     std::vector<std::size_t> open{target};
     while (!open.empty()) {
         std::size_t const at = open.back();
         open.pop_back();
         for (std::size_t const cause : causes[at]) {
-            if (cause < at && told.insert(cause).second) {
+            if (cause < at && reached.insert(cause).second) {
                 open.push_back(cause);
             }
         }
     }
     std::map<std::size_t, std::size_t> placed; // step of each placement
-    for (std::size_t const i : told) {
+    for (std::size_t const i : reached) {
         if (kindOf(events[i]) != StepKind::contact) {
             continue;
         }
@@ -215,7 +215,7 @@ Story storyOf(std::span<Event const> events, EventId asked, SceneFacts const& fa
         }
     }
     std::map<std::size_t, std::size_t> stepOf;
-    for (std::size_t const i : told) {
+    for (std::size_t const i : reached) {
         Event const& event = events[i];
         Step step{kindOf(event).value_or(StepKind::other),
                   event.id,

@@ -11,34 +11,34 @@
 namespace trembler::insight {
 namespace {
 
-/// The steps that are told: what was confirmed, what leads from there to the asked step, and what it follows
+/// The steps that are shown: what was confirmed, what leads from there to the asked step, and what it follows
 /// from directly.
-std::vector<bool> toldSteps(Story const& story, std::vector<Proof> const& proofs, SceneFacts const& facts,
-                            bool everything) {
-    std::vector<bool> told(story.steps.size());
-    told[story.asked] = true;
+std::vector<bool> shownSteps(Story const& story, std::vector<Proof> const& proofs, SceneFacts const& facts,
+                             bool everything) {
+    std::vector<bool> shown(story.steps.size());
+    shown[story.asked] = true;
     bool any = false;
     for (std::size_t i = 0; i < story.steps.size(); ++i) {
         bool const known = proofs[i] == Proof::confirmed || proofs[i] == Proof::together;
-        told[i] = told[i] || known;
+        shown[i] = shown[i] || known;
         any = any || known;
     }
     for (std::size_t const i : story.askedStep().because) {
         if (proofs[i] != Proof::refuted && (everything || !any || !isGranted(story.steps[i], facts))) {
-            told[i] = true;
+            shown[i] = true;
         }
     }
-    return told;
+    return shown;
 }
 
 using StepSet = std::set<std::size_t>;
 
-/// The told ancestors of each step with nothing told in between.
-std::vector<StepSet> nearestTold(Story const& story, std::vector<bool> const& told) {
+/// The shown ancestors of each step with nothing shown in between.
+std::vector<StepSet> nearestShown(Story const& story, std::vector<bool> const& shown) {
     std::vector<StepSet> nearest(story.steps.size());
     for (std::size_t i = 0; i < story.steps.size(); ++i) {
         for (std::size_t const cause : story.steps[i].because) {
-            if (told[cause]) {
+            if (shown[cause]) {
                 nearest[i].insert(cause);
             } else {
                 nearest[i].insert(nearest[cause].begin(), nearest[cause].end());
@@ -50,14 +50,14 @@ std::vector<StepSet> nearestTold(Story const& story, std::vector<bool> const& to
 
 /// Leaves out of several contacts of a pair that follow from each other, as when something bounces, all but
 /// the last.
-void joinBounces(Story const& story, std::vector<bool>& told) {
-    std::vector<StepSet> const nearest = nearestTold(story, told);
+void joinBounces(Story const& story, std::vector<bool>& shown) {
+    std::vector<StepSet> const nearest = nearestShown(story, shown);
     for (std::size_t i = 0; i < story.steps.size(); ++i) {
         for (std::size_t const cause : nearest[i]) {
             Step const& before = story.steps[cause];
-            if (told[i] && story.steps[i].kind == StepKind::contact && before.kind == StepKind::contact &&
+            if (shown[i] && story.steps[i].kind == StepKind::contact && before.kind == StepKind::contact &&
                 before.objects == story.steps[i].objects) {
-                told[cause] = false;
+                shown[cause] = false;
             }
         }
     }
@@ -75,29 +75,28 @@ void keepLastDips(Story const& story, StepSet& causes) {
     });
 }
 
-/// What bobs up and down dips into the water many times: tells only the dips that are the last ones of
-/// something.
-void joinDips(Story const& story, std::vector<bool>& told) {
-    std::vector<StepSet> nearest = nearestTold(story, told);
+/// A body that bobs up and down dips into the water many times: keeps only the last dips before each step.
+void joinDips(Story const& story, std::vector<bool>& shown) {
+    std::vector<StepSet> nearest = nearestShown(story, shown);
     StepSet last;
     for (std::size_t i = 0; i < story.steps.size(); ++i) {
-        if (told[i]) {
+        if (shown[i]) {
             keepLastDips(story, nearest[i]);
             last.insert(nearest[i].begin(), nearest[i].end());
         }
     }
     for (std::size_t i = 0; i < story.steps.size(); ++i) {
         bool const dip = story.steps[i].kind == StepKind::liquid && i != story.asked;
-        told[i] = told[i] && (!dip || last.contains(i));
+        shown[i] = shown[i] && (!dip || last.contains(i));
     }
 }
 
-/// For each told step its nearest told ancestors, without the ancestors from which another one of them
+/// For each shown step its nearest shown ancestors, without the ancestors from which another one of them
 /// follows. The contacts that close a circuit are causes side by side: that one came before the other is no
 /// reason for it.
-std::vector<StepSet> toldCauses(Story const& story, std::vector<bool> const& told) {
+std::vector<StepSet> shownCauses(Story const& story, std::vector<bool> const& shown) {
     std::size_t const count = story.steps.size();
-    std::vector<StepSet> nearest = nearestTold(story, told);
+    std::vector<StepSet> nearest = nearestShown(story, shown);
     for (StepSet& causes : nearest) {
         keepLastDips(story, causes);
     }
@@ -106,7 +105,7 @@ std::vector<StepSet> toldCauses(Story const& story, std::vector<bool> const& tol
         for (std::size_t const cause : nearest[i]) {
             bool const closes =
                 story.steps[i].kind == StepKind::on && story.steps[cause].kind == StepKind::contact;
-            if (told[i] && closes) {
+            if (shown[i] && closes) {
                 beside[cause].insert(nearest[i].begin(), nearest[i].end());
             }
         }
@@ -140,14 +139,14 @@ std::vector<StepSet> toldCauses(Story const& story, std::vector<bool> const& tol
 
 void tell(Answer& answer, Target const& target, std::vector<Proof> const& proofs, bool everything) {
     Story const& story = target.story;
-    std::vector<bool> told = toldSteps(story, proofs, answer.facts, everything);
-    joinBounces(story, told);
-    joinDips(story, told);
-    std::vector<StepSet> const causes = toldCauses(story, told);
+    std::vector<bool> shown = shownSteps(story, proofs, answer.facts, everything);
+    joinBounces(story, shown);
+    joinDips(story, shown);
+    std::vector<StepSet> const causes = shownCauses(story, shown);
     std::vector<std::size_t> placeOf(story.steps.size());
     answer.confirmed = true;
     for (std::size_t i = 0; i < story.steps.size(); ++i) {
-        if (!told[i]) {
+        if (!shown[i]) {
             answer.dropped += proofs[i] == Proof::refuted ? 1 : 0;
             continue;
         }

@@ -104,14 +104,14 @@ std::string gapsText(Miss const& miss, AnswerLanguage const& language) {
                          {joined});
 }
 
-/// Which moment of what it is about a miss tells.
+/// The moment of its condition that a miss describes.
 enum class Extreme : std::uint8_t {
     nearest,  ///< of the whole run
     farthest, ///< since it held
     none,     ///< that of another miss
 };
 
-/// What no measure tells how nearly; of an object, if there is one.
+/// The sentence for a miss without a measure; about an object, if there is one.
 std::string otherWayText(std::optional<Said> const& object, Extreme extreme, std::string const& when,
                          AnswerLanguage const& language) {
     if (extreme == Extreme::nearest) {
@@ -128,8 +128,8 @@ std::string otherWayText(std::optional<Said> const& object, Extreme extreme, std
            when;
 }
 
-/// Whether it only tells that something was not so at its moment: one of several conditions, or what stood in
-/// the way besides, may have been so at another moment.
+/// Whether the miss only says that a condition did not hold at its moment: one of several conditions, or an
+/// obstacle besides, may have been otherwise at another moment.
 bool isOfItsMoment(Miss const& miss) {
     return miss.lack == Lack::change || miss.lack == Lack::steps;
 }
@@ -216,16 +216,16 @@ nlohmann::ordered_json missJson(Miss const& miss, AnswerLanguage const& language
 
 /// A sentence for the miss and for each of what stood in the way besides; with a moment, if it is another:
 /// then it is of what had held (see Aftermath).
-void addSentences(Miss const& miss, Extreme extreme, std::uint64_t told, AnswerLanguage const& language,
+void addSentences(Miss const& miss, Extreme extreme, std::uint64_t named, AnswerLanguage const& language,
                   std::vector<std::string>& sentences) {
-    bool const later = miss.frame != 0 && miss.frame != told;
+    bool const later = miss.frame != 0 && miss.frame != named;
     std::string const when = later ? language.fill(", at {} s", {secondsOf(miss.frame, language)}) : "";
     Extreme const now = isOfItsMoment(miss) ? Extreme::none : extreme;
     Extreme const here = later ? Extreme::farthest : now;
     sentences.push_back(capitalised(sentenceOf(miss, here, when, language)) + ".");
     for (Miss const& other : miss.besides) {
         Extreme const there = here == Extreme::nearest ? here : Extreme::none;
-        addSentences(other, there, later ? miss.frame : told, language, sentences);
+        addSentences(other, there, later ? miss.frame : named, language, sentences);
     }
 }
 

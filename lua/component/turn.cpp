@@ -102,7 +102,7 @@ void Turns::Binding::applyTo(lua_State* L) {
     applyToEach(L, apply);
 }
 
-/// Runs the chunk, anew in each turn, so that no variable of the script lasts to the next one. Returns the
+/// Runs the chunk, again in each turn, so that no variable of the script lasts to the next one. Returns the
 /// place of its function on the stack.
 int Turns::Binding::pushApply(lua_State* L) {
     sandbox_.pushChunk(L);

@@ -186,7 +186,7 @@ int Turns::Binding::call(lua_State* L) {
     auto* const self = static_cast<Binding*>(lua_touserdata(L, lua_upvalueindex(1)));
     return (self->*member)(L);
 }
-/// Pushes a function that calls a member, with two numbers to tell it from others.
+/// Pushes a function that calls a member, with two numbers that identify it.
 template <int (Turns::Binding::*member)(lua_State*)>
 void Turns::Binding::pushFunction(lua_State* L, std::size_t a, std::size_t b) {
     lua_pushlightuserdata(L, this);

@@ -70,7 +70,7 @@ private:
     void* owner_;
     std::size_t used_ = 0;
     // Since beginTurn(), less what was given back for a larger or smaller block: how often a table is made
-    // anew depends on where the random hashes put its keys.
+    // again depends on where the random hashes put its keys.
     std::ptrdiff_t allocated_ = 0;
     std::size_t cap_ = static_cast<std::size_t>(-1);
     std::size_t mostAllocated_ = static_cast<std::size_t>(-1);

@@ -28,7 +28,7 @@ struct CallBudget {
     double most = 0;
 };
 
-/// The memory, the instructions and the functions that a script gets. A script's text is run anew in each
+/// The memory, the instructions and the functions that a script gets. A script's text is run again in each
 /// turn, and nothing of what it makes lasts to the next one, so it cannot keep a state that is not hashed.
 /// Used by one thread at a time.
 ///

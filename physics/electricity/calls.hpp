@@ -50,7 +50,7 @@ struct RemoveConnection : ConnectionKey {
 };
 
 /// Connects two conductors for as long as the call is held: one more reason, whose end needs no call. Used
-/// instead of the two calls above by interactions that compute the connections anew in each turn and keep no
+/// instead of the two calls above by interactions that compute the connections again in each turn and keep no
 /// account of the connections that they have added. It counts as one of the caller's connections between the
 /// two, however often the caller holds it.
 struct HoldConnection : ConnectionKey {

@@ -59,7 +59,7 @@ void KeptBuilds::keep(std::string const& levelId, std::string const& build) cons
         fs::remove(file, error);
         return;
     }
-    fs::create_directories(folder_, error); // writing the file tells if that failed
+    fs::create_directories(folder_, error); // writing the file reports it if that failed
     writeFile(file, build);
 }
 

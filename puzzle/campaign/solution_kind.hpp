@@ -26,7 +26,7 @@ struct SolutionKind {
 
 /// Runs the solution from its beginning in a traced world of its own, until it solves the level or `most`
 /// frames have passed, and returns its kind. A pure function of its arguments, for any number of threads;
-/// takes as long as the run. `solves` tells whether the level was solved. Throws InputError if the solution
+/// takes as long as the run. `solves` is whether the level was solved. Throws InputError if the solution
 /// does not fit.
 struct KindOfRun {
     SolutionKind kind;

@@ -29,7 +29,7 @@ struct GameData {
     PartLibrary parts;
     std::filesystem::path home;
     std::vector<lua::Mod> mods; ///< the loaded ones
-    /// Own parts that cannot be used, for the editor to tell; a level that needs one says so itself.
+    /// Own parts that cannot be used, for a message of the editor; a level that needs one says so itself.
     std::vector<Diagnostic> ownPartFaults;
     std::shared_ptr<lua::ScriptLog> scriptLog;       ///< what their scripts say
     std::shared_ptr<lua::LiveScripts const> scripts; ///< their scripts, which can change while worlds run

@@ -67,7 +67,8 @@ std::vector<Diagnostic> addOwnParts(Registry const& registry, fs::path const& fo
             append(faults, error);
         }
     }
-    // One may consist of another whose file comes later: as long as any can be added, the rest is tried anew.
+    // One may consist of another whose file comes later: as long as any can be added, the rest is tried
+    // again.
     for (bool added = true; added && !left.empty();) {
         added = std::erase_if(
                     left, [&](PartDefinition const& part) { return addIfUsable(library, part).empty(); }) > 0;

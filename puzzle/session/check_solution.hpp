@@ -5,9 +5,9 @@
 
 namespace trembler {
 
-/// Complains about what only the world before its first frame can tell: changes that it does not allow, and
-/// inputs that name a piece which no composite part has, or cut a wire that does not exist or has been cut.
-/// The rest has been checked when the solution was read (InputCheck).
+/// Complains about faults that only the world before its first frame shows: changes that it does not allow,
+/// and inputs that name a piece which no composite part has, or cut a wire that does not exist or has been
+/// cut. The rest has been checked when the solution was read (InputCheck).
 void checkSolution(Registry const& registry, LevelFile const& level, LevelRun const& run,
                    Solution const& solution, Problems& problems);
 

@@ -9,7 +9,7 @@
 
 namespace trembler::render {
 
-/// How a surface is drawn, so that materials are told apart at a glance by more than their colour.
+/// How a surface is drawn, so that materials differ at a glance in more than their colour.
 enum class Pattern : std::uint8_t {
     Plain,   ///< flat two-tone, for things without a substance
     Metal,   ///< brushed, with a sheen that stays when the part turns

@@ -15,7 +15,7 @@ if ! command -v Xvfb >/dev/null; then
     exit 77
 fi
 work=$(mktemp -d)
-# It chooses a number that is free, and tells it once it can be used.
+# It chooses a number that is free, and prints it once it can be used.
 Xvfb -displayfd 3 -screen 0 3840x2400x24 -nolisten tcp -noreset 3>"$work/display" >"$work/log" 2>&1 &
 server=$!
 trap 'kill "$server" 2>/dev/null || true; rm -rf "$work"' EXIT

@@ -1,4 +1,4 @@
-// Prints docs/scripting-analysis.md with its tables made anew: scripting_analysis PAGE [--times]
+// Prints docs/scripting-analysis.md with its tables made again: scripting_analysis PAGE [--times]
 // [--interactions]. Without --times, which depends on the machine, the table of times stays as it is; with
 // --interactions, those of the conventional scenes do, which take longest.
 #include "tests/conventional/trials.hpp"

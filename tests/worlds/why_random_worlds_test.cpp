@@ -1,5 +1,5 @@
-// In any world, what is told as a confirmed cause is one: without it, what was asked about does not happen.
-// And no effect is told to come before its cause.
+// In any world, a cause that is reported as confirmed is one: without it, what was asked about does not
+// happen. And no effect is reported before its cause.
 #include "insight/why/answer.hpp"
 #include "insight/why/candidates.hpp"
 #include "puzzle/goals/level_schema.hpp"

@@ -18,7 +18,7 @@ namespace trembler {
 void addModFolders(CLI::App& command, std::vector<std::string>& folders) {
     command
         .add_option("--mod", folders,
-                    "A mod's folder, or a folder of mods, to look in before those that are installed")
+                    "A mod's folder, or a folder of mods, to look in before the installed ones")
         ->type_name("DIR")
         ->allow_extra_args(false);
     command

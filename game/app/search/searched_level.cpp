@@ -70,7 +70,7 @@ SearchedLevel searchLevel(insight::LevelUnderTest const& level, std::filesystem:
     std::uint64_t const before = workers.done();
     searched.search = searchFor(level, options, workers);
     searched.seconds = place.seconds() - begin;
-    bool const anew = workers.done() - before >= searched.search.runs;
+    bool const computed = workers.done() - before >= searched.search.runs;
     if (arguments.compare && !workers.stopped()) {
         options.random = true;
         options.runs = searched.search.runs;
@@ -78,7 +78,7 @@ SearchedLevel searchLevel(insight::LevelUnderTest const& level, std::filesystem:
     }
     searched.complete = !workers.stopped();
     if (many) {
-        searched.seconds = anew ? searched.seconds : std::nullopt;
+        searched.seconds = computed ? searched.seconds : std::nullopt;
         if (searched.complete) {
             searched.seconds =
                 secondsKept(fmt::format("seconds/{}/{}/{}/{}/{}/{}/{}/{}", level.identity(), arguments.seed,
@@ -93,7 +93,8 @@ SearchedLevel searchLevel(insight::LevelUnderTest const& level, std::filesystem:
 LevelSummary summaryOf(SearchedLevel const& searched, insight::LevelUnderTest const& level,
                        SolveArguments const& arguments, WorkPlace& place) {
     insight::SearchResult const& result = searched.search;
-    insight::Workers own({.threads = arguments.work.threads}); // not the team, whose others do not tell
+    insight::Workers own(
+        {.threads = arguments.work.threads}); // not the team, whose other members do not report
     auto const recorded = recordedKinds(level, own);
     LevelSummary summary;
     nlohmann::ordered_json& all = summary.json;

@@ -121,7 +121,7 @@ void GameApp::tryOpen(std::filesystem::path const& level) {
 }
 
 void GameApp::openFreePlay() {
-    // A file like that of any level, made anew each time, as there may be more parts than at the last time.
+    // A file like that of any level, written again each time, as there may be more parts than before.
     fs::path file = besideProfile(options_.profile, "free-play.json");
     if (file.empty()) {
         file = options_.pictures / "free-play.json";

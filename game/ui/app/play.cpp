@@ -146,7 +146,7 @@ int playInWindow(GameData const& gameData, PlayOptions const& options) {
     } else if (!options.level.empty()) {
         try {
             app.open(options.level);
-        } catch (InputError const& error) { // told where a player who has no terminal sees it, too
+        } catch (InputError const& error) { // reported where a player without a terminal sees it, too
             std::cerr << error.what() << std::endl;
             app.context().toasts.add(shownError(error), render::ToastKind::Trouble, 60);
         }

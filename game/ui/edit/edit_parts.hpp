@@ -127,8 +127,8 @@ struct EditParts {
     [[nodiscard]] bool changing() const { return sinceChange_ < 0.1; }
     [[nodiscard]] bool dialogOpen() const { return browser.isOpen() || palette.isOpen() || dialogs.isOpen(); }
 
-    /// Makes a command from the present tree and runs it; what it made is selected. What cannot be done is
-    /// told the designer. Returns whether it was done.
+    /// Makes a command from the present tree and runs it; what it made is selected. If it is refused,
+    /// the designer gets the reason. Returns whether it was done.
     bool run(std::function<edit::Command(edit::Json const&)> const& make,
              std::optional<edit::Gesture> gesture = {});
     void giveUpLeaving() {
@@ -139,12 +139,13 @@ struct EditParts {
 
     /// Shows another document. The old one's changes are gone.
     void use(edit::LevelDocument next, std::shared_ptr<GameData const> nextData);
-    /// Opens a file, or tells why it cannot. A path that does not exist is a new level with that name.
+    /// Opens a file, or reports why it cannot be opened. A path that does not exist is a new level with that
+    /// name.
     void openFile(std::filesystem::path const& path);
-    /// What a level file is edited with; tells if its mods cannot be had.
+    /// What a level file is edited with; reports if its mods cannot be loaded.
     [[nodiscard]] std::shared_ptr<GameData const> dataFor(std::filesystem::path const& path);
     void newLevel();
-    /// Reads the parts anew, those of the designer included: after one was made.
+    /// Reads the parts again, the designer's own included: after one was made.
     void reloadParts();
     /// To be called once per picture: follows the document's changes and keeps unsaved work.
     /// `dragging`: the next picture is likely to bring another change, so now only the world is moved.
@@ -160,7 +161,7 @@ private:
     void read();
     void followChanges(bool dragging);
     void setData(std::shared_ptr<GameData const> next);
-    std::shared_ptr<GameData const> plain_;     // options.data, or what was read anew
+    std::shared_ptr<GameData const> plain_;     // options.data, or what was read again
     std::shared_ptr<GameData const> former_;    // what the world that is seen may still be made of
     std::optional<std::uint64_t> readRevision_; // of the document in `level` and `world`
     std::optional<std::uint64_t> seenRevision_; // that `world` shows, or tried to show

@@ -106,11 +106,11 @@ struct PlayParts {
     /// Which buttons of a gamepad are meant.
     [[nodiscard]] PadPhase phase() const;
     [[nodiscard]] bool hasMods() const { return liveMods != nullptr; }
-    /// Writes what was placed, if it is due; tells the player if it cannot be written.
+    /// Writes what was placed, if it is due; reports to the player if it cannot be written.
     void keepBuild(double seconds);
     [[nodiscard]] PartCatalog& catalog() { return modParts ? *modParts : context.catalog; }
-    /// Looks at what scripts say and whether their files were saved, and tells the player; `seconds` have
-    /// passed. Between frames.
+    /// Looks at what scripts say and whether their files were saved, and reports it to the player; `seconds`
+    /// have passed. Between frames.
     void passMods(double seconds);
     /// To be called when the session has another world: forgets what was remembered of the old one.
     void newWorld();

@@ -53,7 +53,7 @@ std::vector<SavedSolution> SavedSolutions::of(std::string const& levelId) const 
 
 fs::path SavedSolutions::save(std::string const& levelId, Solution const& solution) const {
     fs::path const folder = folderOf(levelId);
-    std::error_code ignored; // writing the file tells if that failed
+    std::error_code ignored; // writing the file reports it if that failed
     fs::create_directories(folder, ignored);
     for (int n = 1;; ++n) {
         fs::path file = folder / fmt::format("solution-{}.json", n);

@@ -50,7 +50,7 @@ struct Problem {
 [[nodiscard]] Problem locateProblem(Json const& level, Diagnostic diagnostic);
 
 /// Keeps the problems of a document up to date: those of the level, then those of the author's own parts,
-/// which are found when the data are read. Everything is checked anew after a change, by levelProblems() of
+/// which are found when the data are read. Everything is checked again after a change, by levelProblems() of
 /// puzzle/checks/, so no change can be missed: a level of a hundred objects takes some milliseconds; call
 /// refresh() when the author pauses for levels that take longer, see lastSeconds().
 class LiveProblems {

@@ -16,7 +16,7 @@ namespace trembler::edit {
 
 /// Writes one document's unsaved text to a recovery file of its own, completely or not at all. The file is
 /// removed when the document is saved or closed in order; it stays if the program dies. While the program
-/// lives, a lock file tells other programs not to offer it.
+/// lives, a lock file prevents other programs from offering it.
 class Autosave {
 public:
     /// Work older than this is on the disk, s, if tick() is called for every picture.

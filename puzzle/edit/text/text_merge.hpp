@@ -26,7 +26,7 @@ private:
     /// The white space before an entry that the source has, or, with nullptr, has not.
     void writeLead(Node const& around, Node const* entry, bool first);
     void add(std::string_view text);
-    /// Lays out a container anew that was one line in the source and has become too wide for one.
+    /// Lays out a container again that was one line in the source and has become too wide for one.
     void narrow(Tree const& value, Node const& node, std::size_t begin, std::size_t indent,
                 std::size_t column);
     [[nodiscard]] std::string_view of(std::size_t begin, std::size_t end) const;

@@ -15,13 +15,14 @@ namespace trembler {
 namespace {
 
 /// The places and messages of problems that have been reported: several parts may consist of a wrong one.
-using Told = std::set<std::tuple<std::string, std::string, std::string>>;
+using Reported = std::set<std::tuple<std::string, std::string, std::string>>;
 
 /// The problems of one part.
 class CompositeCheck {
 public:
-    CompositeCheck(PartLibrary const& library, PartDefinition const& part, Told& told, Problems& problems)
-        : library_(library), part_(part), told_(told), problems_(problems) {}
+    CompositeCheck(PartLibrary const& library, PartDefinition const& part, Reported& reported,
+                   Problems& problems)
+        : library_(library), part_(part), reported_(reported), problems_(problems) {}
 
     void check() {
         PartExpander expander(library_, [this](StatementScope const& scope, std::string path,
@@ -92,14 +93,14 @@ private:
 
     void complain(JsonDocument const* document, std::string path, std::string message, std::string expected) {
         found_ = true;
-        if (document != nullptr && told_.emplace(document->file(), path, message).second) {
+        if (document != nullptr && reported_.emplace(document->file(), path, message).second) {
             problems_.add(document->diagnostic(std::move(path), std::move(message), std::move(expected)));
         }
     }
 
     PartLibrary const& library_;
     PartDefinition const& part_;
-    Told& told_;
+    Reported& reported_;
     Problems& problems_;
     bool found_ = false;
 };
@@ -108,10 +109,10 @@ private:
 
 void checkComposites(PartLibrary const& library) {
     Problems problems;
-    Told told;
+    Reported reported;
     for (PartDefinition const* const part : library.all()) {
         if (part->composite()) {
-            CompositeCheck(library, *part, told, problems).check();
+            CompositeCheck(library, *part, reported, problems).check();
         }
     }
     problems.throwIfAny();

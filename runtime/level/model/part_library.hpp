@@ -54,8 +54,8 @@ private:
     std::map<std::string, PartDefinition> parts_;
 };
 
-/// Reads one part definition. Throws InputError. Whether the parts that its pieces are made from exist, only
-/// checkComposites() can tell.
+/// Reads one part definition. Throws InputError. Whether the parts of its pieces exist is checked by
+/// checkComposites().
 [[nodiscard]] PartDefinition readPart(Registry const& registry,
                                       std::shared_ptr<JsonDocument const> const& document);
 /// Reads every *.json file of a folder. Throws InputError with the problems of all files.

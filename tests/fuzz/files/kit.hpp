@@ -14,7 +14,7 @@
 namespace trembler::files {
 
 [[nodiscard]] GameData const& gameData();
-/// Throws std::logic_error if a problem is told without a word about what it is.
+/// Throws std::logic_error if a problem is reported without a message.
 void requireWords(InputError const& error);
 /// A folder of this process alone, for files that are read by their names.
 [[nodiscard]] std::filesystem::path ownFolder();

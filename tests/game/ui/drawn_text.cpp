@@ -60,7 +60,7 @@ private:
 };
 
 /// Those of the fonts that are shown now. Thousands, so they are listed once for each making of the texture,
-/// which a list of the fonts' glyphs shows: ImGui adds them anew.
+/// which a list of the fonts' glyphs shows: ImGui adds them again.
 Letters const& shownLetters() {
     struct Made {
         ImFont const* font;

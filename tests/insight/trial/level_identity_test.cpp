@@ -1,4 +1,4 @@
-// What a level tells people is no part of its identity; what decides its runs is.
+// A level's texts for people are no part of its identity; everything that its runs depend on is.
 #include "insight/report/level_report.hpp"
 #include "insight/report/report_text.hpp"
 #include "insight/trial/level_identity.hpp"
@@ -116,7 +116,7 @@ TEST(LevelIdentity, LetsAJournalTellSolutionsApart) {
         Journal journal(file, team);
         return numbersOf(changedLevel(change), &journal);
     };
-    // The level's identity stays, so the solution's own must tell that its bar now lies on the floor.
+    // The level's identity stays, so the solution's own must show that its bar now lies on the floor.
     ChangeOfLevel const moved = [](LevelFile& level) { level.solutions[0].placements[0].at = {0, 0.5}; };
     EXPECT_EQ(identityOf(changedLevel(moved)), identityOf(changedLevel([](LevelFile&) {})));
     EXPECT_EQ(withJournal([](LevelFile&) {})["solutions"][0]["solves"], true);

@@ -1,4 +1,4 @@
-// Of the thesis's four experiments and of what a player may do in them: the chain that is told is that of the
+// The thesis's four experiments, and what a player may do in them: the answer's chain is that of the
 // thesis's accounts (docs/account.md).
 #include "insight/why/words.hpp"
 #include "puzzle/campaign/as_played.hpp"
@@ -73,7 +73,7 @@ void expectEarlierCauses(Answer const& answer) {
     }
 }
 
-/// All of these are told and sure, each not later than the next.
+/// All of these are in the answer and sure, each not later than the next.
 void expectInOrder(Answer const& answer,
                    std::vector<std::pair<StepKind, std::vector<std::string>>> const& account) {
     expectEarlierCauses(answer);
@@ -103,7 +103,8 @@ TEST(WhyExperiments, AnotherBridgeIsNamedInPlaceOfTheSwitch) {
     }
 }
 
-// Without a way for the current the ball stays where it is, and both things that are missing are told.
+// Without a way for the current the ball stays where it is, and the answer names both things that are
+// missing.
 TEST(WhyExperiments, ACutWireIsWhyNothingIsLifted) {
     Answer const answer = answerIn("1-switched-electromagnet", "cut the wire before the switch falls");
     EXPECT_FALSE(answer.happened);

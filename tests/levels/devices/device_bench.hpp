@@ -32,7 +32,7 @@ protected:
     void wire(std::string const& a, std::string const& b);
     /// Records an input, for example `"grab": "weight", "at": [0, 1]`.
     void input(std::uint64_t frame, std::string const& what);
-    /// Builds the world of everything that was added, and begins anew.
+    /// Builds the world of everything that was added, and begins again.
     void start();
 
     /// The frames up to a given one in which the object was on, of those in which it could be.

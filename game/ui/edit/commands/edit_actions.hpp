@@ -15,7 +15,7 @@ void newLevel(EditParts& parts);
 void openLevel(EditParts& parts);
 void save(EditParts& parts);
 void saveAs(EditParts& parts);
-/// Saves to the path, or to the document's own file if it is empty; tells the designer how it went.
+/// Saves to the path, or to the document's own file if it is empty; reports the result to the designer.
 bool saveTo(EditParts& parts, std::filesystem::path const& path, edit::LevelDocument::Overwrite overwrite);
 /// Saves if there is a file; else opens the browser and returns false.
 bool saveNow(EditParts& parts);
@@ -37,7 +37,7 @@ void recordSolution(EditParts& parts);
 [[nodiscard]] bool isTesting(EditParts const& parts);
 
 // Finding out about the level, beside the designer's work.
-/// Shows the page, and makes the report anew or, while it is made, stops it.
+/// Shows the page, and makes the report again or, while it is made, stops it.
 void makeReport(EditParts& parts);
 void measureCosts(EditParts& parts);
 /// Shows the page, and begins the search, or stops it.

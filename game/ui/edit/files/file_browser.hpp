@@ -42,7 +42,7 @@ private:
     std::vector<Entry> entries_;
     std::string name_;     // in the field
     std::string trouble_;  // shown below the list
-    bool replace_ = false; // the designer was told that the file exists
+    bool replace_ = false; // the message that the file exists was shown
     bool fresh_ = false;   // opened in this picture
     bool names_ = false;   // the field gets the keyboard in the next picture
 };

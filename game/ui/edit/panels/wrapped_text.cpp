@@ -40,7 +40,7 @@ float advanceOf(std::uint32_t character) {
     return font.GetCharAdvance(static_cast<ImWchar>(character)) * ImGui::GetFontSize() / font.FontSize;
 }
 
-/// Breaks the lines anew after every change, and keeps the cursor out of the middle of a break.
+/// Breaks the lines again after every change, and keeps the cursor out of the middle of a break.
 int keepWrapped(ImGuiInputTextCallbackData* data) {
     auto& state = *static_cast<FieldState*>(data->UserData);
     if (data->EventFlag == ImGuiInputTextFlags_CallbackAlways) {

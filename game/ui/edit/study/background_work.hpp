@@ -53,7 +53,7 @@ public:
         std::lock_guard const lock(mutex_);
         done_ = done;
     }
-    /// Workers on all processors, which stop() stops and which tell this their progress.
+    /// Workers on all processors, which stop() stops and which report their progress here.
     [[nodiscard]] insight::WorkersOptions workers() {
         insight::WorkersOptions options;
         options.stop = [this] { return stopAsked(); };
@@ -79,7 +79,7 @@ public:
         : thread_([this, work = std::move(work)] {
               try {
                   show(work(*this));
-              } catch (...) { // is told where the result is shown
+              } catch (...) { // reported where the result is shown
                   std::lock_guard const lock(mutex_);
                   failure_ = std::current_exception();
               }

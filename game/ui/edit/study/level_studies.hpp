@@ -37,7 +37,7 @@ struct SearchShown {
 template <class Result>
 struct Study {
     std::shared_ptr<StudiedLevel const> of;
-    std::string state{}; ///< of the document, to tell whether it has changed since
+    std::string state{}; ///< of the document, to find out whether it has changed since
     std::unique_ptr<BackgroundWork<Result>> work;
 
     [[nodiscard]] bool running() const { return work != nullptr && work->running(); }

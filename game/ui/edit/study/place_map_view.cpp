@@ -9,7 +9,7 @@ namespace {
 
 using namespace render;
 
-/// A square where the part solves the level, a cross where it does not: not told apart by colour alone.
+/// A square where the part solves the level, a cross where it does not: distinguished by more than colour.
 void drawPlace(Canvas& canvas, Point at, double step, char state) {
     double const half = 0.42 * step;
     if (state == '#') {

@@ -30,7 +30,7 @@ public:
 
     /// To be called once per picture, `seconds` after the last.
     void look(std::span<SDL_Event const> events, double seconds);
-    /// The level begins anew. A lesson that is over stays so.
+    /// The level begins again. A lesson that is over stays so.
     void restart() { done_ = 0; }
 
     /// nullptr: nothing is to be shown.

@@ -99,7 +99,7 @@ private:
     bool moving_ = false;
     bool working_ = false;
     bool stopped_ = false;
-    bool wanted_ = false; // the runs are to be begun anew
+    bool wanted_ = false; // the runs are to begin again
     bool fresh_ = false;  // something was changed since the last picture
     insight::WhatIf whatIf_;
     std::vector<insight::WhatIf> kept_;

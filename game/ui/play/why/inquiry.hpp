@@ -32,7 +32,7 @@ public:
 
     struct Found {
         std::optional<insight::Answer> answer;
-        bool nothing = false; ///< nothing that could be told has happened
+        bool nothing = false; ///< nothing that can be explained has happened
         std::string fault;    ///< why there is no answer, in English; "" if there is one
     };
 

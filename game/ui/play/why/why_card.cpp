@@ -28,7 +28,7 @@ struct ProofLook {
     Phrase meaning;
 };
 
-/// By Proof; nothing that was refuted is told.
+/// By Proof; refuted causes are not shown.
 constexpr std::array<ProofLook, 3> proofLooks{{
     {"seen", "Seen: it led there, and was not tried without."},
     {"sure", "Sure: the run was repeated without it, and it did not happen."},

@@ -1,4 +1,4 @@
-// What an answer tells of, drawn over the scene.
+// The step of an answer that is looked at, drawn over the scene.
 #pragma once
 
 #include "game/ui/play/why/why_panel.hpp"

@@ -60,7 +60,7 @@ public:
     // The answer.
     /// nullptr: there is none.
     [[nodiscard]] insight::Answer const* answer() const { return answer_ ? &*answer_ : nullptr; }
-    /// Whether nothing that could be told has happened to what was asked about.
+    /// Whether nothing that can be explained has happened to the object or goal in question.
     [[nodiscard]] bool nothing() const { return nothing_; }
     /// What the card says: each step of the chain, or what the nearest miss was.
     [[nodiscard]] std::vector<std::string> lines() const;

@@ -41,7 +41,7 @@ unsigned LevelPictures::texture(CatalogEntry const& level, Size size) {
     try {
         picture.target = std::make_unique<Framebuffer>(size);
         drawInto(*picture.target, level);
-    } catch (InputError const&) { // as is told when the level is opened
+    } catch (InputError const&) { // reported when the level is opened
         picture.target.reset();
     } catch (RenderError const&) {
         picture.target.reset();

@@ -100,7 +100,7 @@ public:
     }
 
 private:
-    /// Whether it may be an object whose name only the parts can tell.
+    /// Whether it may be a piece, whose name is known only from its part.
     [[nodiscard]] bool isPiece(std::string const& name) const {
         return !names_.contains(name) && pieces_.mayBe(name);
     }

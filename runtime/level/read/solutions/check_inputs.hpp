@@ -16,10 +16,10 @@ public:
     explicit InputCheck(LevelFile const& level);
 
     /// Complains about the inputs of a solution that name an object which the level does not have, the
-    /// solution does not place, the run cannot create (isBirthName()) and no composite part can have (only a
-    /// world can tell, see Session::load()); about inputs that cut a wire that
-    /// the level does not have, or cut a wire twice; and about inputs and changes after the solution's last
-    /// frame. `document` is the solution's file.
+    /// solution does not place, the run cannot create (isBirthName()) and no composite part can have (which
+    /// is known only from a world, see Session::load()); about inputs that cut a wire that the level does not
+    /// have, or cut a wire twice; and about inputs and changes after the solution's last frame. `document` is
+    /// the solution's file.
     void check(Solution const& solution, JsonDocument const& document, Problems& problems) const;
 
 private:

@@ -145,8 +145,8 @@ TEST_F(SolveCommand, GoesOnWithManyLevelsFromAJournal) {
     ASSERT_LE(gone.status, 1) << gone.err;
     Ran const again = runProgram(many);
     EXPECT_EQ(json::parse(gone.out), json::parse(again.out)) << "the times of the first time are kept";
-    std::vector<std::string> anew(many.begin(), many.end() - 2);
-    EXPECT_EQ(timelessTable(runProgram(anew).out), timelessTable(gone.out));
+    std::vector<std::string> more(many.begin(), many.end() - 2);
+    EXPECT_EQ(timelessTable(runProgram(more).out), timelessTable(gone.out));
 }
 
 TEST_F(SolveCommand, RefusesBadInput) {

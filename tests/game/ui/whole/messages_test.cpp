@@ -9,7 +9,7 @@ namespace trembler::ui::test {
 namespace messages_test {
 namespace {
 
-/// A level without a toolbox, so that its success is told in the middle, where messages come, too.
+/// A level without a toolbox, so that its success is shown in the middle, where messages come, too.
 std::filesystem::path levelWithoutToolbox() {
     auto const file = testFolder() / "roll.json";
     std::ofstream(file) << R"({"version": 2, "title": "Roll",

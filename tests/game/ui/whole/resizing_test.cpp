@@ -13,7 +13,7 @@ constexpr std::array windowSizes{render::Size{800, 600}, render::Size{3840, 2160
                                  render::Size{1280, 720}};
 auto const resizedLevel = levelsFolder() / "first/1-first-contact.json";
 
-/// As the desktop does it: the size, and the event that tells of it.
+/// As the desktop does it: the size, and the event that reports it.
 void resizeTo(Player& player, render::Size size) {
     window().resize(size);
     SDL_Event event{};

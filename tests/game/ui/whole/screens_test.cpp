@@ -253,7 +253,7 @@ TEST(AtRest, NothingIsDrawnOnAnyScreen) {
     expectRest("a level with a time budget");
     auto const toasts = player.app().context().toasts.count();
     player.key(SDLK_PERIOD);
-    EXPECT_EQ(player.app().context().toasts.count(), toasts + 1) << "the new budget is told at once";
+    EXPECT_EQ(player.app().context().toasts.count(), toasts + 1) << "the new budget is shown at once";
     EXPECT_FALSE(player.app().resting());
     player.key(SDLK_c);
     player.frames(60);

@@ -106,7 +106,7 @@ TEST_P(HostileInWorld, RuinsItsOwnInteractionAndNothingElse) {
     Outcome const one = play(sources, 1);
     EXPECT_EQ(one.course, undisturbed().course) << "the level and the other script go on as they did";
     EXPECT_EQ(one.errorsOfOthers, 0);
-    EXPECT_EQ(one.errors, expected == "harmless" ? 0 : 1) << "the player is told once: " << one.said;
+    EXPECT_EQ(one.errors, expected == "harmless" ? 0 : 1) << "the player gets one message: " << one.said;
     EXPECT_LE(one.lines, frames * static_cast<int>(ScriptLimits().logLines));
     std::vector<std::uint64_t> const beginning(one.hashes.begin(), one.hashes.begin() + repeatedFrames);
     for (int const threads : {1, 2, 8, 32}) {

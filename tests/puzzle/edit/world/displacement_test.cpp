@@ -113,7 +113,7 @@ TEST(Displacement, ShowsWhatTheLevelsWouldShow) {
         for (std::string const& name : all) {
             EXPECT_TRUE(followed.follows(moveOf({name}), where)) << where << name;
         }
-        // An object that states its first angle is built anew.
+        // An object that states its first angle is built again.
         follows(
             document,
             [&](Json const& level) {

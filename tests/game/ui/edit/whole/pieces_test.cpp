@@ -99,7 +99,7 @@ TEST(EditorPieces, AreResetByDeleteAndNeverRemoved) {
     auto const toasts = designer.app().context().toasts.count();
     designer.key(SDLK_DELETE);
     EXPECT_EQ(designer.parts().document.text(), before);
-    EXPECT_EQ(designer.app().context().toasts.count(), toasts + 1) << "it tells that a piece stays";
+    EXPECT_EQ(designer.app().context().toasts.count(), toasts + 1) << "a message says that a piece stays";
     designer.look("edit-piece-stays");
     designer.key(SDLK_ESCAPE);
     designer.key(SDLK_DELETE);
