@@ -59,12 +59,6 @@ private:
 
 } // namespace
 
-std::optional<std::uint64_t> RunResult::metIn(std::string const& goal) const {
-    auto const at =
-        std::find_if(goals.begin(), goals.end(), [&](GoalStatus const& status) { return status.id == goal; });
-    return at == goals.end() ? std::nullopt : at->frame;
-}
-
 LevelRuns::LevelRuns(GameData const& data, LevelFile level, std::map<std::string, std::string> const& detail)
     : LevelRuns(data.registry, data.parts, std::move(level)) {
     data_ = &data;

@@ -38,9 +38,6 @@ struct RunResult {
     std::optional<std::uint64_t> solvedFrame;
     std::vector<GoalStatus> goals; ///< in the level's order, after the last frame
     std::uint64_t stateHash = 0;
-
-    /// The frame in which the goal with that id was first met, if it was.
-    [[nodiscard]] std::optional<std::uint64_t> metIn(std::string const& goal) const;
 };
 
 /// Runs with this level. run() is a pure function of the constructor's and its own arguments, and may be

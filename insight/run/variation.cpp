@@ -37,10 +37,6 @@ LeftOut withoutObject(std::string name) {
     return leftOutNamed(LeftOut::Kind::object, std::move(name));
 }
 
-LeftOut withoutJoint(std::size_t index) {
-    return leftOutAt(LeftOut::Kind::joint, index);
-}
-
 LeftOut withoutConnection(std::size_t index) {
     return leftOutAt(LeftOut::Kind::connection, index);
 }

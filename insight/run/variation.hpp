@@ -36,7 +36,6 @@ struct LeftOut {
 [[nodiscard]] LeftOut withoutWire(std::size_t index);
 [[nodiscard]] LeftOut withoutInput(std::size_t index);
 [[nodiscard]] LeftOut withoutObject(std::string name);
-[[nodiscard]] LeftOut withoutJoint(std::size_t index);
 [[nodiscard]] LeftOut withoutConnection(std::size_t index);
 /// The names in either order.
 [[nodiscard]] LeftOut withoutContact(std::string a, std::string b, std::uint64_t from = 1);

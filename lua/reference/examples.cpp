@@ -108,10 +108,6 @@ std::string_view writtenExample(ReferenceFunction const& function) {
 
 } // namespace
 
-bool hasWrittenExample(ReferenceFunction const& function) {
-    return !writtenExample(function).empty();
-}
-
 std::string functionExample(ReferenceFunction const& function) {
     std::string_view const written = writtenExample(function);
     return written.empty() ? madeExample(function) : std::string(written);

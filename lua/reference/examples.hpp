@@ -10,8 +10,6 @@ namespace trembler::lua {
 /// The script that shows a function: one that was written for it, or, for a function without, one made from
 /// its description.
 [[nodiscard]] std::string functionExample(ReferenceFunction const& function);
-/// Whether an example was written for the function.
-[[nodiscard]] bool hasWrittenExample(ReferenceFunction const& function);
 
 /// Statements that read every field of a property, made from its description.
 [[nodiscard]] std::string propertyExampleBody(ReferenceProperty const& property);

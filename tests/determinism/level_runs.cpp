@@ -5,11 +5,6 @@
 
 namespace trembler::determinism {
 
-GameData const& gameData() {
-    static GameData const shared;
-    return shared;
-}
-
 namespace {
 
 template <ObjectProperty P>

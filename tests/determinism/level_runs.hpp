@@ -1,8 +1,8 @@
 // Runs the project's levels and collects their hashes, for all determinism tests.
 #pragma once
 
-#include "puzzle/data/game_data.hpp"
 #include "puzzle/run/runner.hpp"
+#include "tests/support/game_data.hpp"
 
 #include <filesystem>
 #include <map>
@@ -14,8 +14,6 @@ namespace trembler::determinism {
 inline constexpr std::uint64_t frames = 600;
 inline constexpr std::uint64_t every = 60;
 
-/// One GameData for the whole test program.
-[[nodiscard]] GameData const& gameData();
 /// Hashes at every 60th frame of one run.
 struct RunHashes {
     std::vector<std::string> state;

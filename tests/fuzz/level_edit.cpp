@@ -1,6 +1,7 @@
 #include "puzzle/edit/problems/live_problems.hpp"
 #include "tests/fuzz/targets.hpp"
 #include "tests/puzzle/edit/any_command.hpp"
+#include "tests/support/game_data.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -13,9 +14,8 @@ namespace {
 constexpr int mostCommands = 40;
 
 std::optional<LevelDocument> documentOf(std::string_view text) {
-    static GameData const data;
     try {
-        return LevelDocument::fromText(data, std::string(text), {}, {});
+        return LevelDocument::fromText(gameData(), std::string(text), {}, {});
     } catch (InputError const&) { // no JSON
         return std::nullopt;
     }

@@ -16,11 +16,6 @@ bool isIn(std::vector<TouchingPair> const& pairs, ObjectId a, ObjectId b) {
 
 } // namespace
 
-GameData const& Experiment::gameData() {
-    static GameData const shared;
-    return shared;
-}
-
 LevelFile Experiment::load(std::string const& file) {
     return loadLevel(gameData().registry, gameData().home / "levels/experiments" / file);
 }

@@ -3,9 +3,9 @@
 #pragma once
 
 #include "physics/dynamics/properties/contacts.hpp"
-#include "puzzle/data/game_data.hpp"
 #include "puzzle/session/session.hpp"
 #include "runtime/level/read/read_level.hpp"
+#include "tests/support/game_data.hpp"
 
 #include <gtest/gtest.h>
 
@@ -16,7 +16,6 @@ namespace trembler {
 
 class Experiment : public ::testing::Test {
 protected:
-    [[nodiscard]] static GameData const& gameData();
     /// Loads a level of levels/experiments by its file's name.
     [[nodiscard]] static LevelFile load(std::string const& file);
     /// Opens it with one of its recorded solutions, or without player input ("").

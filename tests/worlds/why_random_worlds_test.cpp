@@ -6,6 +6,7 @@
 #include "runtime/level/build/build_world.hpp"
 #include "runtime/level/read/read_level.hpp"
 #include "runtime/trace/tracer.hpp"
+#include "tests/support/game_data.hpp"
 #include "tests/worlds/random_level.hpp"
 
 #include <gtest/gtest.h>
@@ -18,11 +19,6 @@ namespace {
 
 constexpr std::uint64_t watchedFrames = 60;
 
-GameData const& whyWorldsData() {
-    static GameData const data;
-    return data;
-}
-
 /// The level without goals and without what the reader rejects; nothing if too much of it is wrong.
 std::optional<LevelFile> readable(nlohmann::json level) {
     for (char const* const key : {"goals", "task", "solutions", "hints", "teaching", "texts"}) {
@@ -31,8 +27,8 @@ std::optional<LevelFile> readable(nlohmann::json level) {
     for (int attempt = 0; attempt < 60; ++attempt) {
         try {
             LevelFile file =
-                readLevel(whyWorldsData().registry, JsonDocument::parse(level.dump(), "random world"));
-            (void)buildWorld(whyWorldsData().registry, file, whyWorldsData().parts);
+                readLevel(gameData().registry, JsonDocument::parse(level.dump(), "random world"));
+            (void)buildWorld(gameData().registry, file, gameData().parts);
             return file;
         } catch (InputError const& error) {
             std::vector<std::string> paths;
@@ -80,8 +76,7 @@ void traced(LevelRuns const& runs, Variation const& variation, std::uint64_t fra
 class WhyInRandomWorlds : public testing::TestWithParam<std::uint64_t> {};
 
 TEST_P(WhyInRandomWorlds, ConfirmedCausesAreCauses) {
-    static worlds::RandomLevels const levels(levelSchema(whyWorldsData().registry),
-                                             whyWorldsData().parts.names());
+    static worlds::RandomLevels const levels(levelSchema(gameData().registry), gameData().parts.names());
     worlds::Manner manner;
     manner.extremes = 0;
     manner.anywhere = 0;
@@ -90,7 +85,7 @@ TEST_P(WhyInRandomWorlds, ConfirmedCausesAreCauses) {
     if (!level) {
         GTEST_SKIP() << "the reader rejects the level";
     }
-    LevelRuns const runs(whyWorldsData(), *level);
+    LevelRuns const runs(gameData(), *level);
     std::uint64_t number = 0;
     traced(runs, {}, watchedFrames, [&](std::span<Event const> events) {
         for (std::size_t i = 0; i < events.size(); ++i) {

@@ -275,11 +275,4 @@ Command setJointField(GameData const& data, Json const& level, std::size_t joint
             [joint, made](Json& tree) { entryIn(tree, "joints", joint) = made; }};
 }
 
-Command resetJointField(GameData const& data, Json const& level, std::size_t joint,
-                        std::string const& field) {
-    Command reset = setJointField(data, level, joint, field, {});
-    reset.name = fmt::format("Reset {} of joint", field.empty() ? field : field.substr(1));
-    return reset;
-}
-
 } // namespace trembler::edit

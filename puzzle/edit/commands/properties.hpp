@@ -63,12 +63,10 @@ namespace trembler::edit {
 [[nodiscard]] Command setDetail(GameData const& data, Json const& level, std::string const& effect,
                                 std::string const& detail);
 
-/// Sets a field of the joint with that index in "joints"; fields that its form does not have are kept.
+/// Sets a field of the joint with that index in "joints", or removes it if `value` is null; fields that its
+/// form does not have are kept.
 [[nodiscard]] Command setJointField(GameData const& data, Json const& level, std::size_t joint,
                                     std::string const& field, Json const& value);
-/// Removes a field of a joint, so that it has its initial value.
-[[nodiscard]] Command resetJointField(GameData const& data, Json const& level, std::size_t joint,
-                                      std::string const& field);
 
 /// Throws CommandError, in the reader's words, for an entry of "joints" that no file may have.
 void mustBeJoint(GameData const& data, Json const& joint);

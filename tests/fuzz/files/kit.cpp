@@ -15,11 +15,6 @@ namespace trembler::files {
 
 namespace fs = std::filesystem;
 
-GameData const& gameData() {
-    static GameData const data;
-    return data;
-}
-
 void requireWords(InputError const& error) {
     lua::require(!error.diagnostics().empty(), "a file is refused without a problem");
     for (Diagnostic const& diagnostic : error.diagnostics()) {

@@ -1,9 +1,9 @@
 // Common to the targets that take bytes for a file.
 #pragma once
 
-#include "puzzle/data/game_data.hpp"
 #include "runtime/level/json/json_document.hpp"
 #include "runtime/level/model/level.hpp"
+#include "tests/support/game_data.hpp"
 
 #include <cstdint>
 #include <filesystem>
@@ -13,7 +13,6 @@
 
 namespace trembler::files {
 
-[[nodiscard]] GameData const& gameData();
 /// Throws std::logic_error if a problem is reported without a message.
 void requireWords(InputError const& error);
 /// A folder of this process alone, for files that are read by their names.

@@ -3,8 +3,8 @@
 
 #include "game/ui/app/app.hpp"
 #include "game/ui/play/play_screen.hpp"
-#include "puzzle/data/game_data.hpp"
 #include "render/window/synthetic_input.hpp"
+#include "tests/support/game_data.hpp"
 
 #include <SDL.h>
 #include <gtest/gtest.h>
@@ -39,11 +39,6 @@ inline render::Window& window() {
 /// For tests of code that opens its own window.
 inline void closeWindow() {
     windowSlot().reset();
-}
-
-inline GameData const& gameData() {
-    static GameData const theGameData;
-    return theGameData;
 }
 
 /// With the mods that a level names: mods beside it, or mods that come with the program.

@@ -14,7 +14,7 @@ bool has(std::vector<std::string> const& list, std::string const& one) {
 }
 
 TEST(Needs, LeaveOutWhatDoesNothing) {
-    LevelRuns const runs(testedData(), firstContact().level());
+    LevelRuns const runs(gameData(), firstContact().level());
     Solution solution = placing("wooden bar", {-0.9, 2.2});
     solution.placements.push_back(placing("steel bar", {-1.8, 1.15}).placements.front());
     RecordedInput input;
@@ -38,8 +38,8 @@ TEST(Needs, LeaveOutWhatDoesNothing) {
 
 TEST(Needs, OfEachRecordedSolutionCannotBeReducedFurther) {
     for (char const* const name : {"2-electricity/1-both-gaps.json", "2-electricity/3-two-buttons.json"}) {
-        LevelUnderTest const level(testedData(), testedFile(name));
-        LevelRuns const runs(testedData(), level.level());
+        LevelUnderTest const level(gameData(), testedFile(name));
+        LevelRuns const runs(gameData(), level.level());
         for (Solution const& solution : level.level().solutions) {
             std::uint64_t const frames = LevelRuns::framesFor(solution);
             Needs const needs = needsOf(runs, solution, frames);

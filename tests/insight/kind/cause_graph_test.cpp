@@ -7,7 +7,7 @@ namespace trembler::insight {
 namespace {
 
 CauseGraph graphOf(std::string const& solution) {
-    LevelRuns const runs(testedData(), firstContact().level());
+    LevelRuns const runs(gameData(), firstContact().level());
     return causeGraphOf(runs, *firstContact().level().findSolution(solution), 600);
 }
 
@@ -32,7 +32,7 @@ TEST(CauseGraph, IsThatOfTheChainOfCauses) {
 
 TEST(CauseGraph, DiffersByPartsDeedsAndLinksNotByPlaces) {
     CauseGraph const bar = graphOf("the steel bar");
-    LevelRuns const runs(testedData(), firstContact().level());
+    LevelRuns const runs(gameData(), firstContact().level());
     EXPECT_FALSE(differ(bar, causeGraphOf(runs, placing("steel bar", {-1.75, 1.2}), 600)));
     CauseGraph other = bar;
     other.parts = {"spanner"};

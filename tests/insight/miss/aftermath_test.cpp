@@ -19,7 +19,7 @@ LevelFile fall(std::string const& goals) {
     {"name": "ball", "at": [0, 1],
      "properties": {"shape": [{"form": "circle", "radius": 0.1}], "density": 1000}}],
   "goals": )" + goals + "}";
-    return readLevel(testedData().registry, JsonDocument::parse(text, "fall.json"));
+    return readLevel(gameData().registry, JsonDocument::parse(text, "fall.json"));
 }
 
 std::string inside(double floor, std::string const& more = "") {
@@ -63,7 +63,7 @@ TEST(Aftermath, WhatStillHoldsAtTheEndIsMissingTimeOnly) {
 
 // Three boxes touch the raft at the same time for a frame, bounce, and slide off a second later.
 TEST(Aftermath, ABounceIsNotWhatEndedIt) {
-    LevelFile const level = loadLevel(testedData().registry, testedFile("experiments/4-raft.json"));
+    LevelFile const level = loadLevel(gameData().registry, testedFile("experiments/4-raft.json"));
     Miss const miss = explainedMiss(level, 1800, {*level.findSolution("load the left end")});
     ASSERT_EQ(miss.lack, Lack::time);
     ASSERT_EQ(miss.besides.size(), 2U);

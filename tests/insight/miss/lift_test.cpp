@@ -28,7 +28,7 @@ LevelFile basin(double density, std::string const& more = "", std::string const&
                              std::to_string(density) + "}}" + more + R"(],
   "goals": {"inside": {"object": "plank", "area": )" +
                              area + R"(}, "id": "up")" + goal + "}}";
-    return readLevel(testedData().registry, JsonDocument::parse(text, "basin.json"));
+    return readLevel(gameData().registry, JsonDocument::parse(text, "basin.json"));
 }
 
 /// How nearly the goal was met in the first frame, explained.

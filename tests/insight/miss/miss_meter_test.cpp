@@ -1,6 +1,7 @@
 #include "insight/miss/miss_meter.hpp"
 #include "puzzle/goals/conditions/table.hpp"
 #include "runtime/level/read/read_level.hpp"
+#include "tests/support/game_data.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,13 +10,8 @@
 namespace trembler::insight {
 namespace {
 
-GameData const& missData() {
-    static GameData const data;
-    return data;
-}
-
 LevelFile missLevel(std::string const& name) {
-    return loadLevel(missData().registry, missData().home / "levels" / (name + ".json"));
+    return loadLevel(gameData().registry, gameData().home / "levels" / (name + ".json"));
 }
 
 TEST(MissMeter, KnowsEveryKindOfCondition) {
@@ -28,7 +24,7 @@ TEST(MissMeter, KnowsEveryKindOfCondition) {
 
 TEST(MissMeter, IsZeroIfTheLevelIsSolved) {
     LevelFile const level = missLevel("first/1-first-contact");
-    LevelRuns const runs(missData(), level);
+    LevelRuns const runs(gameData(), level);
     MeasuredRun const measured = measuredRun(runs, {*level.findSolution("the spanner")}, {});
     ASSERT_TRUE(measured.run.solved);
     EXPECT_EQ(measured.miss.measure, 0);
@@ -41,7 +37,7 @@ TEST(MissMeter, IsZeroIfTheLevelIsSolved) {
 
 TEST(MissMeter, NamesTheGapOfACircuit) {
     LevelFile const level = missLevel("first/1-first-contact");
-    LevelRuns const runs(missData(), level);
+    LevelRuns const runs(gameData(), level);
     MeasuredRun const measured = measuredRun(runs, {}, {.frames = 120});
     ASSERT_FALSE(measured.run.solved);
     GoalMiss const& current = measured.miss.goals.front();
@@ -60,7 +56,7 @@ TEST(MissMeter, NamesTheGapOfACircuit) {
 
 TEST(MissMeter, AConductorInTheGapIsNearerThanOneBesideIt) {
     LevelFile const level = missLevel("first/1-first-contact");
-    LevelRuns const runs(missData(), level);
+    LevelRuns const runs(gameData(), level);
     Solution solution = *level.findSolution("the spanner");
     double last = 0;
     for (double const away : {0.0, 0.3, 0.6, 0.9}) { // m above the gap, hung there for a frame
@@ -74,7 +70,7 @@ TEST(MissMeter, AConductorInTheGapIsNearerThanOneBesideIt) {
 
 TEST(MissMeter, IsTheSameInEveryRun) {
     LevelFile const level = missLevel("first/2-into-the-basket");
-    LevelRuns const runs(missData(), level);
+    LevelRuns const runs(gameData(), level);
     MeasuredRun const one = measuredRun(runs, {}, {.frames = 300});
     MeasuredRun const two = measuredRun(runs, {}, {.frames = 300});
     EXPECT_EQ(one.miss.measure, two.miss.measure);

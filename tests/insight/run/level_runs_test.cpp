@@ -3,6 +3,7 @@
 #include "physics/dynamics/properties/contacts.hpp"
 #include "puzzle/run/runner.hpp"
 #include "runtime/level/read/read_level.hpp"
+#include "tests/support/game_data.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,13 +13,8 @@
 namespace trembler::insight {
 namespace {
 
-GameData const& runsData() {
-    static GameData const data;
-    return data;
-}
-
 LevelFile levelOf(std::string const& name) {
-    return loadLevel(runsData().registry, runsData().home / "levels" / (name + ".json"));
+    return loadLevel(gameData().registry, gameData().home / "levels" / (name + ".json"));
 }
 
 constexpr char const* firstContactFile = "first/1-first-contact";
@@ -26,13 +22,13 @@ constexpr char const* experiment1 = "experiments/1-switched-electromagnet";
 
 TEST(LevelRuns, EndAsTheSessionsRunsDo) {
     LevelFile const level = levelOf(firstContactFile);
-    LevelRuns const runs(runsData(), level);
+    LevelRuns const runs(gameData(), level);
     for (Solution const& solution : level.solutions) {
         RunResult const result = runs.run({solution}, {.frames = 200, .stopWhenSolved = false});
         ASSERT_FALSE(result.fault) << *result.fault;
         WorldOptions options;
         options.detail = level.detail;
-        Session session(runsData().registry, runsData().parts, level, options);
+        Session session(gameData().registry, gameData().parts, level, options);
         session.load(solution);
         RunOptions asUsual;
         asUsual.frames = 200;
@@ -44,7 +40,7 @@ TEST(LevelRuns, EndAsTheSessionsRunsDo) {
 
 TEST(LevelRuns, AreTheSameInSeveralThreadsAtOnce) {
     LevelFile const level = levelOf(experiment1);
-    LevelRuns const runs(runsData(), level);
+    LevelRuns const runs(gameData(), level);
     Variation const variation{{}, {withoutEffect("magnetism")}};
     std::vector<std::uint64_t> hashes(4);
     std::vector<std::thread> threads;
@@ -59,14 +55,14 @@ TEST(LevelRuns, AreTheSameInSeveralThreadsAtOnce) {
 
 TEST(LevelRuns, WithoutAPlacementTheLevelIsNotSolved) {
     LevelFile const level = levelOf(firstContactFile);
-    LevelRuns const runs(runsData(), level);
+    LevelRuns const runs(gameData(), level);
     Solution const& solution = *level.findSolution("the spanner");
     EXPECT_TRUE(runs.run({solution}, {}).solved);
     EXPECT_FALSE(runs.run({solution, {withoutPlacement(0)}}, {.frames = 600}).solved);
 }
 
 TEST(LevelRuns, AContactThatIsLeftOutNeverBegins) {
-    LevelRuns const runs(runsData(), levelOf(experiment1));
+    LevelRuns const runs(gameData(), levelOf(experiment1));
     bool touched = false;
     RunObserver observer;
     observer.frame = [&](LevelRun const& run) {
@@ -92,7 +88,7 @@ TEST(LevelRuns, AContactThatIsLeftOutNeverBegins) {
 }
 
 TEST(LevelRuns, ADipThatIsLeftOutLiftsNothing) {
-    LevelRuns const runs(runsData(), levelOf("experiments/4-raft"));
+    LevelRuns const runs(gameData(), levelOf("experiments/4-raft"));
     std::map<std::string, double> lift; // N, by object
     RunObserver observer;
     observer.end = [&](LevelRun const& run) {
@@ -113,7 +109,7 @@ TEST(LevelRuns, ADipThatIsLeftOutLiftsNothing) {
 }
 
 TEST(LevelRuns, OtherContactsStayAsTheyAre) {
-    LevelRuns const runs(runsData(), levelOf(experiment1));
+    LevelRuns const runs(gameData(), levelOf(experiment1));
     // The two never touch.
     RunResult const usual = runs.run({}, {.frames = 200});
     RunResult const varied = runs.run({{}, {withoutContact("switch", "ceiling")}}, {.frames = 200});
@@ -121,7 +117,7 @@ TEST(LevelRuns, OtherContactsStayAsTheyAre) {
 }
 
 TEST(LevelRuns, FromALaterFrameTheContactEnds) {
-    LevelRuns const runs(runsData(), levelOf(experiment1));
+    LevelRuns const runs(gameData(), levelOf(experiment1));
     RunResult const early = runs.run({{}, {withoutContact("object 1", "switch", 50)}}, {.frames = 300});
     EXPECT_FALSE(early.solved);
     RunResult const late = runs.run({{}, {withoutContact("object 1", "switch", 100)}}, {.frames = 300});
@@ -129,21 +125,21 @@ TEST(LevelRuns, FromALaterFrameTheContactEnds) {
 }
 
 TEST(LevelRuns, WithoutAnEffectItDoesNothing) {
-    LevelRuns const runs(runsData(), levelOf(experiment1));
+    LevelRuns const runs(gameData(), levelOf(experiment1));
     EXPECT_FALSE(runs.run({{}, {withoutEffect("magnetism")}}, {.frames = 200}).solved);
     EXPECT_FALSE(runs.run({{}, {withoutEffect("electricity")}}, {.frames = 200}).solved);
     EXPECT_TRUE(runs.run({{}, {withoutEffect("buoyancy")}}, {.frames = 200}).solved);
 }
 
 TEST(LevelRuns, AnObjectGoesWithItsConnections) {
-    LevelRuns const runs(runsData(), levelOf(experiment1));
+    LevelRuns const runs(gameData(), levelOf(experiment1));
     RunResult const result = runs.run({{}, {withoutObject("object 3")}}, {.frames = 200});
     EXPECT_FALSE(result.fault) << *result.fault;
     EXPECT_FALSE(result.solved);
 }
 
 TEST(LevelRuns, WhatCannotBeLeftOutIsAFaultInWords) {
-    LevelRuns const runs(runsData(), levelOf(experiment1));
+    LevelRuns const runs(gameData(), levelOf(experiment1));
     for (LeftOut const& one :
          {withoutPlacement(0), withoutInput(3), withoutObject("nobody"), withoutEffect("dynamics"),
           withoutConnection(99), withoutObject("metal object")}) { // the goal is about it

@@ -30,7 +30,7 @@ TEST(Places, OfAllLevelsTakePartsWhereAPlayerCanPutThem) {
     std::size_t placed = 0;
     for (char const* const name : {"4-water/2-hold-it-up.json", "3-magnets/1-through-the-glass.json",
                                    "first/2-into-the-basket.json"}) {
-        LevelUnderTest const level(testedData(), testedFile(name));
+        LevelUnderTest const level(gameData(), testedFile(name));
         std::vector<Place> const places = placesOfInterest(level);
         EXPECT_GT(places.size(), 10U) << name;
         for (Place const& place : places) {
@@ -47,7 +47,7 @@ TEST(Places, OfAllLevelsTakePartsWhereAPlayerCanPutThem) {
 }
 
 TEST(Places, AreOfEveryKindThatALevelOffers) {
-    LevelUnderTest const level(testedData(), testedFile("4-water/2-hold-it-up.json"));
+    LevelUnderTest const level(gameData(), testedFile("4-water/2-hold-it-up.json"));
     std::vector<Place> const places = placesOfInterest(level);
     for (Place::Kind const kind : {Place::Kind::gap, Place::Kind::goal, Place::Kind::movable,
                                    Place::Kind::liquid, Place::Kind::fixed}) {

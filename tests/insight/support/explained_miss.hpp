@@ -13,7 +13,7 @@ namespace trembler::insight {
 
 /// How nearly the level's first goal was met in a run of so many frames, explained.
 inline Miss explainedMiss(LevelFile const& level, std::uint64_t frames, Variation const& variation = {}) {
-    LevelRuns const runs(testedData(), level);
+    LevelRuns const runs(gameData(), level);
     std::unique_ptr<MissMeter> meter;
     RunObserver observer;
     observer.begin = [&](LevelRun const& run) {

@@ -2,15 +2,11 @@
 #pragma once
 
 #include "insight/trial/level_under_test.hpp"
+#include "tests/support/game_data.hpp"
 
 #include <string>
 
 namespace trembler::insight {
-
-inline GameData const& testedData() {
-    static GameData const data;
-    return data;
-}
 
 inline std::filesystem::path testedFile(std::string const& name) {
     return std::filesystem::path(TREMBLER_SOURCE_DIR) / "levels" / name;
@@ -18,7 +14,7 @@ inline std::filesystem::path testedFile(std::string const& name) {
 
 /// A gap in a circuit, and a toolbox with a steel bar, a wooden bar and a spanner.
 inline LevelUnderTest const& firstContact() {
-    static LevelUnderTest const level(testedData(), testedFile("first/1-first-contact.json"));
+    static LevelUnderTest const level(gameData(), testedFile("first/1-first-contact.json"));
     return level;
 }
 

@@ -20,7 +20,7 @@ namespace {
 using ChangeOfLevel = std::function<void(LevelFile&)>;
 
 LevelFile changedLevel(ChangeOfLevel const& change) {
-    LevelFile level = loadLevel(testedData().registry, testedFile("first/1-first-contact.json"));
+    LevelFile level = loadLevel(gameData().registry, testedFile("first/1-first-contact.json"));
     change(level);
     return level;
 }
@@ -91,7 +91,7 @@ nlohmann::json numbersOf(LevelFile level, Journal* journal = nullptr) {
     options.drops = 40;
     options.costs = false;
     Workers workers(onThreads(2, nullptr, journal));
-    LevelUnderTest const tested(testedData(), std::move(level), "tested");
+    LevelUnderTest const tested(gameData(), std::move(level), "tested");
     nlohmann::json report = nlohmann::json::parse(toJson(reportOn(tested, options, workers)).dump());
     report.erase("shortcomings"); // they name solutions
     for (nlohmann::json& solution : report["solutions"]) {

@@ -7,7 +7,7 @@ namespace trembler::insight {
 namespace {
 
 TEST(LevelUnderTest, IsTheSameFromItsFileAndFromMemory) {
-    LevelUnderTest const again(testedData(), firstContact().level(), "first contact");
+    LevelUnderTest const again(gameData(), firstContact().level(), "first contact");
     EXPECT_EQ(again.identity(), firstContact().identity());
     EXPECT_EQ(again.name(), "first contact");
 }

@@ -15,9 +15,9 @@ TEST(Trial, EndsAsTheRunnerDoes) {
     // With and without the rule that a world at rest is not run to the end.
     for (char const* const name :
          {"first/1-first-contact.json", "2-electricity/1-both-gaps.json", "4-water/1-sink-or-float.json"}) {
-        LevelUnderTest const level(testedData(), testedFile(name));
+        LevelUnderTest const level(gameData(), testedFile(name));
         for (Solution const& solution : level.level().solutions) {
-            Session session(testedData().registry, testedData().parts, level.level());
+            Session session(gameData().registry, gameData().parts, level.level());
             session.load(solution);
             RunOptions options;
             options.frames = framesOf(solution);

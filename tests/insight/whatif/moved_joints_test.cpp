@@ -19,15 +19,15 @@ namespace moved_joints_test {
 namespace {
 
 LevelFile levelFrom(std::string const& members) {
-    return readLevel(testedData().registry,
+    return readLevel(gameData().registry,
                      JsonDocument::parse(
                          R"({"version": 2, "title": "t", "world": {"gravity": [0, -9.81]}, )" + members + "}",
                          "moved.json"));
 }
 
 std::unique_ptr<LevelRun> runOf(LevelFile const& level, std::vector<Placement> const& placements = {}) {
-    auto run = std::make_unique<LevelRun>(testedData().registry, testedData().parts, level, placements,
-                                          WorldOptions());
+    auto run =
+        std::make_unique<LevelRun>(gameData().registry, gameData().parts, level, placements, WorldOptions());
     run->begin();
     return run;
 }
@@ -41,7 +41,7 @@ Placement placed(std::string const& part, Vec2 at, double angle) {
 }
 
 void move(LevelRun& run, std::string const& object, Vec2 at, double angle) {
-    apply(testedData().registry, run,
+    apply(gameData().registry, run,
           {run.world().frame(), {{.kind = Change::Kind::place, .object = object, .at = at, .angle = angle}}});
 }
 
@@ -88,7 +88,7 @@ std::size_t expectSameJoints(LevelRun const& a, LevelRun const& b, std::string c
 std::vector<std::string> const& jointedParts() {
     static std::vector<std::string> const all = [] {
         std::vector<std::string> names;
-        for (std::string const& name : testedData().parts.names()) {
+        for (std::string const& name : gameData().parts.names()) {
             LevelFile const level =
                 levelFrom(R"("objects": [], "toolbox": [{"part": ")" + name + R"(", "count": 1}])");
             auto const run = runOf(level, {placed(name, {0, 3}, 0)});

@@ -31,11 +31,11 @@ LevelFile raft(double left, double right, double density) {
   "joints": [{"form": "weld", "a": "bar", "b": "left", "at": [0, 0.15]},
              {"form": "weld", "a": "bar", "b": "right", "at": [0, 0.15]}],
   "goals": {"inside": {"object": "bar", "area": [-5, -1.5, 10, 8]}, "for": 2, "id": "afloat"}})";
-    return readLevel(testedData().registry, JsonDocument::parse(text, "raft.json"));
+    return readLevel(gameData().registry, JsonDocument::parse(text, "raft.json"));
 }
 
 Answer whyAfloat(LevelFile const& level) {
-    LevelRuns const runs(testedData(), level);
+    LevelRuns const runs(gameData(), level);
     AskOptions options;
     options.frames = 600;
     Question question;

@@ -74,7 +74,7 @@ TEST(Clauses, NameThePartThatWasPlaced) {
 /// Every part is named with an article that fits its gender and the case; the cases of a masculine noun
 /// differ.
 TEST(Clauses, KnowTheNamesOfAllParts) {
-    for (std::string const& part : testedData().parts.names()) {
+    for (std::string const& part : gameData().parts.names()) {
         ASSERT_TRUE(german().names().understands(part)) << part;
         std::string const nominative = german().names().definite(part, GermanCase::nominative);
         std::string const accusative = german().names().definite(part, GermanCase::accusative);

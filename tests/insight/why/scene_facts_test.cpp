@@ -1,6 +1,7 @@
 #include "insight/why/scene_facts.hpp"
 #include "puzzle/data/game_data.hpp"
 #include "runtime/level/read/read_level.hpp"
+#include "tests/support/game_data.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -11,7 +12,7 @@ namespace {
 /// `n` boxes in a row, each hinged to the next one, a fixed post that the last one is hinged to, and a box
 /// hinged to the other side of the post.
 SceneFacts factsOfChain(int n) {
-    static GameData const data;
+    GameData const& data = gameData();
     nlohmann::json level = {{"version", 2}, {"title", "chain"}};
     auto const box = [&](std::string const& name, double x, bool fixed) {
         nlohmann::json properties = {{"material", "wood"},

@@ -3,6 +3,7 @@
 #include "insight/why/words.hpp"
 #include "puzzle/campaign/as_played.hpp"
 #include "runtime/level/read/read_level.hpp"
+#include "tests/support/game_data.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,20 +14,14 @@ namespace trembler::insight {
 namespace why_experiments {
 namespace {
 
-GameData const& experimentData() {
-    static GameData const data;
-    return data;
-}
-
 LevelFile experiment(std::string const& name) {
-    return loadLevel(experimentData().registry,
-                     experimentData().home / "levels/experiments" / (name + ".json"));
+    return loadLevel(gameData().registry, gameData().home / "levels/experiments" / (name + ".json"));
 }
 
 Answer answerIn(std::string const& name, std::string const& solution, Question const& question = {},
                 std::uint64_t frames = 0) {
     LevelFile const level = experiment(name);
-    LevelRuns const runs(experimentData(), level);
+    LevelRuns const runs(gameData(), level);
     Solution const& asked = *level.findSolution(solution);
     AskOptions options;
     options.frames = frames > 0 ? frames : LevelRuns::framesFor(asked);
@@ -200,7 +195,7 @@ TEST(WhyExperiments, ALoadOnTheLeftEndIsWhyTheRaftGoesUnder) {
 // What the task asks for follows from the box that was placed, and from the floats as well.
 TEST(WhyExperiments, AFourthBoxIsOnDeckBecauseItWasPlacedThere) {
     LevelFile const level = asPlayed(experiment("4-raft"), "");
-    LevelRuns const runs(experimentData(), level);
+    LevelRuns const runs(gameData(), level);
     AskOptions options;
     options.frames = 600;
     Answer const answer = why(runs, *level.findSolution("a fourth box"), {}, options);

@@ -3,6 +3,7 @@
 #include "physics/dynamics/properties/overlap.hpp"
 #include "runtime/level/read/read_level.hpp"
 #include "runtime/placement.hpp"
+#include "tests/support/game_data.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -12,19 +13,14 @@
 namespace trembler::insight {
 namespace {
 
-GameData const& whyData() {
-    static GameData const data;
-    return data;
-}
-
 LevelFile whyLevel(std::string const& name) {
-    return loadLevel(whyData().registry, whyData().home / "levels" / (name + ".json"));
+    return loadLevel(gameData().registry, gameData().home / "levels" / (name + ".json"));
 }
 
 Answer whyIn(std::string const& name, std::string const& solution, Question const& question = {},
              std::uint64_t frames = 900) {
     LevelFile const level = whyLevel(name);
-    LevelRuns const runs(whyData(), level);
+    LevelRuns const runs(gameData(), level);
     AskOptions options;
     options.frames = frames;
     return why(runs, solution.empty() ? Solution{} : *level.findSolution(solution), question, options);
@@ -104,7 +100,7 @@ TEST(Why, AGoalThatWasNotMetHasANearestMiss) {
     EXPECT_EQ(answer.goal, "current");
     ASSERT_TRUE(answer.nearest);
     EXPECT_EQ(answer.nearest->nearest.lack, Lack::gap);
-    Catalogue const german(whyData().home / "assets" / "text", "de");
+    Catalogue const german(gameData().home / "assets" / "text", "de");
     std::string const english = sentencesOf(answer.nearest->nearest, AnswerLanguage()).front();
     EXPECT_NE(english.find("between the left contact and the right contact"), std::string::npos) << english;
     std::string const words = sentencesOf(answer.nearest->nearest, AnswerLanguage(german)).front();
@@ -144,7 +140,7 @@ TEST(Why, ABadQuestionNamesWhatThereIs) {
 }
 
 TEST(Why, ItCanBeCancelled) {
-    LevelRuns const runs(whyData(), whyLevel("experiments/2-doorbell"));
+    LevelRuns const runs(gameData(), whyLevel("experiments/2-doorbell"));
     AskOptions options;
     options.frames = 300;
     options.progress = [](std::size_t, std::size_t) { return false; };
@@ -158,7 +154,7 @@ TEST(Why, TheNumberOfThreadsDoesNotMatter) {
                                          {"experiments/2-doorbell", "hands off"},
                                          {"experiments/3-electric-motor", "hands off"}}) {
         LevelFile const level = whyLevel(name);
-        LevelRuns const runs(whyData(), level);
+        LevelRuns const runs(gameData(), level);
         std::string first;
         for (int const threads : {1, 2, 8}) {
             AskOptions options;
@@ -173,7 +169,7 @@ TEST(Why, TheNumberOfThreadsDoesNotMatter) {
 }
 
 TEST(Why, ItEndsSoonWhenItIsToldTo) {
-    LevelRuns const runs(whyData(), whyLevel("experiments/2-doorbell"));
+    LevelRuns const runs(gameData(), whyLevel("experiments/2-doorbell"));
     AskOptions options;
     options.frames = 300;
     int asked = 0;
@@ -206,7 +202,7 @@ TEST(Why, StepsHappenedWhereTheirObjectsWereThen) {
     Vec2 place;
     double gap = 1;
     RunObserver observer;
-    LevelRuns const runs(whyData(), whyLevel("experiments/1-switched-electromagnet"));
+    LevelRuns const runs(gameData(), whyLevel("experiments/1-switched-electromagnet"));
     observer.end = [&](LevelRun const& run) {
         Store const& store = run.world().store();
         auto const shapeOf = [&](ObjectId id) {

@@ -43,13 +43,13 @@ Sentences endOf(Miss const& by, AnswerLanguage const& language = AnswerLanguage(
 
 // The ball of this level falls into an area that it should stay out of, after a third of a second.
 TEST(Words, WhatHeldForAWhileNeverIsSaidNotToHave) {
-    LevelFile const level = readLevel(testedData().registry, JsonDocument::parse(R"({
+    LevelFile const level = readLevel(gameData().registry, JsonDocument::parse(R"({
   "version": 2, "title": "Fall",
   "world": {"gravity": [0, -9.81], "bounds": [-10, -50, 20, 60]},
   "objects": [{"name": "ball", "at": [0, 1],
                "properties": {"shape": [{"form": "circle", "radius": 0.1}], "density": 1000}}],
   "goals": {"not": {"inside": {"object": "ball", "area": [-5, -40, 10, 40.5]}}, "for": 1}})",
-                                                                                 "fall.json"));
+                                                                               "fall.json"));
     Miss const miss = explainedMiss(level, 120);
     ASSERT_EQ(miss.lack, Lack::time);
     Sentences const english = sentencesOf(miss, AnswerLanguage());

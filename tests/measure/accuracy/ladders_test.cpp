@@ -4,6 +4,7 @@
 #include "measure/accuracy/report.hpp"
 #include "puzzle/data/game_data.hpp"
 #include "tests/measure/accuracy/three_rungs.hpp"
+#include "tests/support/game_data.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,11 +16,6 @@
 namespace trembler::accuracy {
 namespace ladders_test {
 namespace {
-
-GameData const& gameData() {
-    static GameData const made;
-    return made;
-}
 
 std::vector<Ladder> const& ladders() {
     static std::vector<Ladder> const all = climb(gameData(), {}, {.brief = true, .runs = 1});

@@ -4,20 +4,16 @@
 #include "puzzle/session/session.hpp"
 #include "runtime/level/read/read_level.hpp"
 #include "runtime/level/write/write_level.hpp"
+#include "tests/support/game_data.hpp"
 
 #include <gtest/gtest.h>
 
 namespace trembler {
 namespace {
 
-GameData const& asPlayedData() {
-    static GameData const all;
-    return all;
-}
-
 LevelFile levelFrom(std::string const& members) {
     return readLevel(
-        asPlayedData().registry,
+        gameData().registry,
         JsonDocument::parse(R"({"version": 2, "title": "A ball", "text": "It falls.", )" + members + "}",
                             "level.json"));
 }
@@ -34,7 +30,7 @@ TEST(AsPlayed, TextsAreThoseOfTheLanguage) {
     EXPECT_EQ(asPlayed(level, "en").title, "A ball");
     EXPECT_EQ(asPlayed(level, "fr").goals, level.goals);
     LevelFile const again =
-        readLevel(asPlayedData().registry, JsonDocument::parse(levelText(level), "again.json"));
+        readLevel(gameData().registry, JsonDocument::parse(levelText(level), "again.json"));
     EXPECT_EQ(again.texts, level.texts);
 }
 
@@ -47,16 +43,15 @@ TEST(AsPlayed, WrongTextsAreRefused) {
 }
 
 TEST(AsPlayed, ATaskTakesThePlaceOfWhatTheDemonstrationDoes) {
-    LevelFile level =
-        loadLevel(asPlayedData().registry, std::filesystem::path(TREMBLER_SOURCE_DIR) /
-                                               "levels/experiments/1-switched-electromagnet.json");
+    LevelFile level = loadLevel(gameData().registry, std::filesystem::path(TREMBLER_SOURCE_DIR) /
+                                                         "levels/experiments/1-switched-electromagnet.json");
     level.task = nlohmann::json::parse(R"({"sequence": [
         {"touching": ["metal object", "electromagnet"], "id": "lifted"},
         {"not": {"touching": ["metal object", "electromagnet"]}, "for": 1, "id": "dropped"}]})");
     LevelFile const played = asPlayed(level, "en");
     EXPECT_FALSE(played.demonstration);
     auto const solves = [&](char const* solution) {
-        Session session(asPlayedData().registry, asPlayedData().parts, played);
+        Session session(gameData().registry, gameData().parts, played);
         session.load(*played.findSolution(solution));
         for (int frame = 0; frame < 420; ++frame) {
             session.step();

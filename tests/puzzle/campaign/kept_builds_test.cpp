@@ -3,6 +3,7 @@
 #include "puzzle/campaign/kept_builds.hpp"
 #include "puzzle/data/game_data.hpp"
 #include "runtime/level/read/read_level.hpp"
+#include "tests/support/game_data.hpp"
 
 #include <gtest/gtest.h>
 
@@ -17,12 +18,8 @@ class KeptBuild : public testing::Test {
 protected:
     KeptBuild() { fs::remove_all(folder); }
 
-    static GameData const& data() {
-        static GameData const all;
-        return all;
-    }
     [[nodiscard]] static LevelFile level() {
-        return loadLevel(data().registry,
+        return loadLevel(gameData().registry,
                          fs::path(TREMBLER_SOURCE_DIR) / "levels/first/1-first-contact.json");
     }
 
@@ -34,7 +31,7 @@ protected:
 TEST_F(KeptBuild, IsThereAgainInTheNextSession) {
     Placement const bar{"steel bar", {-1.8, 1.3}, 0.1, ""};
     {
-        Session session(data().registry, data().parts, level());
+        Session session(gameData().registry, gameData().parts, level());
         BuildKeeper keeper(builds, "first/1");
         EXPECT_EQ(keeper.restore(session), 0);
         ASSERT_TRUE(session.place(bar));
@@ -46,7 +43,7 @@ TEST_F(KeptBuild, IsThereAgainInTheNextSession) {
         session.step();
         EXPECT_TRUE(keeper.finish(session)) << "a run changes nothing of it";
     }
-    Session session(data().registry, data().parts, level());
+    Session session(gameData().registry, gameData().parts, level());
     BuildKeeper keeper(builds, "first/1");
     EXPECT_EQ(keeper.restore(session), 0);
     ASSERT_EQ(session.placed().size(), 1U);
@@ -63,12 +60,12 @@ TEST_F(KeptBuild, WhatNoLongerFitsIsLeftOut) {
     std::ofstream(builds.fileOf("x")) << R"({"name": "my build", "placements": [
         {"part": "steel bar", "at": [-1.8, 1.3]}, {"part": "no such part", "at": [0, 1]},
         {"part": "spanner", "at": [40, 1]}]})";
-    Session session(data().registry, data().parts, level());
+    Session session(gameData().registry, gameData().parts, level());
     EXPECT_EQ(builds.restore("x", session), 2);
     EXPECT_EQ(session.placed().size(), 1U);
     for (char const* damaged : {"", "{", "[]", "{\"placements\": 7}"}) {
         std::ofstream(builds.fileOf("y")) << damaged;
-        Session other(data().registry, data().parts, level());
+        Session other(gameData().registry, gameData().parts, level());
         EXPECT_EQ(builds.restore("y", other), 0) << damaged;
         EXPECT_TRUE(other.placed().empty()) << damaged;
     }
@@ -84,7 +81,7 @@ TEST_F(KeptBuild, LevelsHaveFilesOfTheirOwn) {
 TEST_F(KeptBuild, ThatCannotBeWrittenIsReportedOnce) {
     fs::create_directories(folder.parent_path());
     std::ofstream(folder) << "a file where the folder should be";
-    Session session(data().registry, data().parts, level());
+    Session session(gameData().registry, gameData().parts, level());
     BuildKeeper keeper(builds, "x");
     keeper.restore(session);
     ASSERT_TRUE(session.place({"steel bar", {-1.8, 1.3}, 0, ""}));
@@ -94,11 +91,11 @@ TEST_F(KeptBuild, ThatCannotBeWrittenIsReportedOnce) {
 }
 
 TEST_F(KeptBuild, FreePlayOffersEveryPart) {
-    LevelFile const free =
-        readLevel(data().registry, JsonDocument::parse(freePlayLevel(data().parts, "Free", ""), "free.json"));
-    EXPECT_EQ(free.toolbox.size(), data().parts.names().size());
-    Session session(data().registry, data().parts, free);
-    for (std::string const& part : data().parts.names()) {
+    LevelFile const free = readLevel(
+        gameData().registry, JsonDocument::parse(freePlayLevel(gameData().parts, "Free", ""), "free.json"));
+    EXPECT_EQ(free.toolbox.size(), gameData().parts.names().size());
+    Session session(gameData().registry, gameData().parts, free);
+    for (std::string const& part : gameData().parts.names()) {
         EXPECT_TRUE(session.place({part, {0, 2.5}, 0, ""})) << part;
         session.putAllBack();
     }

@@ -1,5 +1,7 @@
 #include "tests/puzzle/edit/edit_kit.hpp"
 
+#include "tests/support/game_data.hpp"
+
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -8,8 +10,7 @@
 namespace trembler::edit {
 
 GameData const& editData() {
-    static GameData const data;
-    return data;
+    return gameData();
 }
 
 std::string fileText(std::filesystem::path const& path) {

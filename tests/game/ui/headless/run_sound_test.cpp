@@ -5,6 +5,7 @@
 #include "runtime/level/read/read_level.hpp"
 #include "tests/audio/device/wav.hpp"
 #include "tests/audio/synth/spectrum.hpp"
+#include "tests/support/game_data.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -28,10 +29,6 @@ protected:
     }
     void TearDown() override { fs::remove_all(folder); }
 
-    static GameData const& gameData() {
-        static GameData const shared;
-        return shared;
-    }
     Wav hear(LevelFile level, std::string const& solution, std::uint64_t frames,
              std::uint64_t* hash = nullptr, std::vector<fs::path> const& recordings = {},
              std::vector<std::string>* reports = nullptr) {

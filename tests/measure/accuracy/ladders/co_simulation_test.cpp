@@ -1,6 +1,7 @@
 // The energy added by a frame of lag between simulations, compared with the theory of delayed forces.
 #include "measure/accuracy/ladders/co_simulation.hpp"
 #include "puzzle/data/game_data.hpp"
+#include "tests/support/game_data.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,11 +10,6 @@
 namespace trembler::accuracy {
 namespace co_simulation_test {
 namespace {
-
-GameData const& gameData() {
-    static GameData const made;
-    return made;
-}
 
 constexpr double frame = 1.0 / 60; // s
 

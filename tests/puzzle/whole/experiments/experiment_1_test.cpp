@@ -7,6 +7,7 @@
 #include "puzzle/session/session.hpp"
 #include "runtime/level/read/read_level.hpp"
 #include "runtime/placement.hpp"
+#include "tests/support/game_data.hpp"
 
 #include <gtest/gtest.h>
 
@@ -18,10 +19,6 @@ namespace {
 
 class ExperimentOne : public ::testing::Test {
 protected:
-    static GameData const& gameData() {
-        static GameData const shared;
-        return shared;
-    }
     void open(std::string const& solution, bool trace = false) {
         LevelFile level = loadLevel(gameData().registry,
                                     gameData().home / "levels/experiments/1-switched-electromagnet.json");
