@@ -1,4 +1,4 @@
-// A picture of an object, drawn by whoever made the part: shapes in the object's own frame. No component
+// A picture of an object, drawn by the author of the part: shapes in the object's own frame. No component
 // reads it, so it does not affect the simulation.
 #pragma once
 

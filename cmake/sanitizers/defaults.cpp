@@ -1,4 +1,5 @@
-// Linked into every program of a sanitizer build: how the sanitizers behave, and what is not ours to mend.
+// Linked into every program of a sanitizer build: how the sanitizers behave, and which reports about other
+// libraries are left out.
 
 extern "C" {
 

@@ -1,4 +1,4 @@
-// What the time budget decided during a run, as reported by `trembler run --budget`.
+// The decisions of the time budget during a run, as reported by `trembler run --budget`.
 #pragma once
 
 #include "game/budget/budget_mode.hpp"

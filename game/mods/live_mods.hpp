@@ -58,7 +58,7 @@ public:
     void pass(double seconds);
     /// Looks at the files now.
     void look();
-    /// What is new since the last call, for messages on the screen.
+    /// The messages since the last call, for the screen.
     [[nodiscard]] std::vector<ModMessage> takeNews();
 
     // `script` is a place in scripts().

@@ -1,4 +1,4 @@
-// What a solution needs: found by leaving one thing out and running again.
+// The parts, actions and effects that a solution needs: found by leaving one of them out and running again.
 #pragma once
 
 #include "insight/run/level_runs.hpp"

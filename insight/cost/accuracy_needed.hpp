@@ -1,4 +1,4 @@
-// What each effect costs in a level, and how exactly the level must be computed to keep its verdicts.
+// The cost of each effect in a level, and how exactly the level must be computed to keep its verdicts.
 #pragma once
 
 #include "insight/spread/workers.hpp"

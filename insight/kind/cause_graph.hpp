@@ -10,9 +10,10 @@
 
 namespace trembler::insight {
 
-/// What solves a level, without places, numbers and times: which effects acted on which others in the chain
-/// of causes of the goals, which parts the solution places, and what the player did in the run. To be made of
-/// a solution without superfluous parts, see needsOf(): the chain may end before a part that is needed.
+/// The way in which a level is solved, without places, numbers and times: which effects acted on which others
+/// in the chain of causes of the goals, which parts the solution places, and what the player did in the run.
+/// To be made of a solution without superfluous parts, see needsOf(): the chain may end before a part that is
+/// needed.
 struct CauseGraph {
     bool solves = false;         ///< else the rest is empty
     std::set<std::string> parts; ///< placed part definitions; "wire" if the player laid one

@@ -1,4 +1,4 @@
-// What ended a condition that held, but not for long enough.
+// The breaks of a condition that held, but not for long enough.
 #pragma once
 
 #include "insight/miss/condition_miss.hpp"

@@ -1,4 +1,4 @@
-// What a liquid lacked to lift an object to where it should be, and what turned it over.
+// The lift that a liquid lacked to raise an object to its goal, and the torque that turned the object over.
 #pragma once
 
 #include "insight/miss/miss.hpp"

@@ -12,7 +12,7 @@
 
 namespace trembler::insight {
 
-/// What is missing, and the unit of Miss::by.
+/// The missing quantity, and the unit of Miss::by.
 enum class Lack : std::uint8_t {
     nothing,  ///< it is met
     distance, ///< m, between two objects or to an area or a place

@@ -31,7 +31,7 @@ struct LevelMiss {
 /// Measures a run frame by frame: a pure function of what happens in it. Not thread-safe.
 class MissMeter {
 public:
-    /// What is asked of it: a search needs no more than the measure of each run.
+    /// The requested results: a search needs no more than the measure of each run.
     enum class For : std::uint8_t {
         measure,     ///< the nearest misses
         explanation, ///< also what a liquid lacked, and what ended a goal that held for too short a time

@@ -1,4 +1,4 @@
-// What stood in the way of an object that did not get where it should: magnets that were off or too weak.
+// The causes for which an object did not get to its goal: magnets that were off or too weak.
 #pragma once
 
 #include "insight/miss/miss.hpp"

@@ -1,4 +1,4 @@
-// What a designer wants to know of a level: what its solutions need, how exact they must be, and what else
+// A report on a level for its designer: what its solutions need, how exact they must be, and what else
 // solves it.
 #pragma once
 
@@ -65,7 +65,7 @@ struct LevelReport {
 [[nodiscard]] LevelReport reportOn(LevelUnderTest const& level, ReportOptions const& options,
                                    Workers& workers);
 
-/// What a level's effects cost, and how it may be computed.
+/// The costs of a level's effects, and the settings with which it may be computed.
 struct LevelCosts {
     std::vector<EffectCost> costs; ///< of its first solution that solves it, else of a run hands off
     std::vector<WayToCompute> ways;

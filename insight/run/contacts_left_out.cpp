@@ -73,7 +73,7 @@ void leaveOutContacts(World& world, std::span<ObjectPair const> without) {
             throw std::invalid_argument("so many contacts cannot be left out at the same time");
         }
         taken |= own;
-        // Whether it hits another object is decided by the other one's mask alone, below.
+        // Whether it hits another object is decided by the mask of the other object alone, below.
         after[object] = {own, allCategories, 0};
     }
     for (auto const& [object, partners] : chosen) {

@@ -9,7 +9,7 @@
 
 namespace trembler::insight {
 
-/// What is left of a level and a solution.
+/// A level and a solution without what was left out.
 struct ReducedLevel {
     LevelFile level;
     Solution solution;

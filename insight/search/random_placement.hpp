@@ -17,7 +17,7 @@ namespace trembler::insight {
 
 /// A part in a random place, in addition to what the solution places: evenly distributed over the areas for
 /// placing, upright or turned by a random multiple of 15 degrees, so that it overlaps nothing. Nothing if
-/// 64 places were tried in vain, or the toolbox has none left.
+/// 64 places were tried without success, or the toolbox has none left.
 [[nodiscard]] std::optional<Placement> placedAtRandom(LevelUnderTest const& level, Solution const& others,
                                                       std::string const& part, CounterRandom& random);
 

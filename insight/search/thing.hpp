@@ -1,4 +1,4 @@
-// What a search knows of the objects of a level: outlines, and what they can do.
+// The objects of a level as a search sees them: outlines, and which of them can be moved or connected.
 #pragma once
 
 #include "runtime/level/model/level.hpp"

@@ -40,7 +40,7 @@ struct Mark {
 };
 
 /// Finds marks while a run goes on. Reads the world between frames and changes nothing; what only
-/// subscriptions compute, such as sounds, is marked only while somebody wants it. Not thread-safe.
+/// subscriptions compute, such as sounds, is marked only while a subscription to it lives. Not thread-safe.
 class Marks {
 public:
     /// The same thing is not marked again within this number of frames: a trembler switches many times a

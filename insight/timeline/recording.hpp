@@ -60,7 +60,7 @@ public:
     [[nodiscard]] std::optional<std::uint64_t> before(std::uint64_t frame) const;
     /// The frame nearest to `frame`. Valid until the recording changes or another one is asked for.
     [[nodiscard]] RecordedFrame const& at(std::uint64_t frame) const;
-    /// What frames consist of. Later frames may add parts.
+    /// The parts of a frame. Later frames may add parts.
     [[nodiscard]] std::vector<RecordedPart> const& parts() const { return parts_; }
     /// The values at the beginning, one for each part; null: there was no such part.
     [[nodiscard]] std::vector<SharedWords> const& beginning() const { return beginning_; }

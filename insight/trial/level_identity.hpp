@@ -1,4 +1,4 @@
-// What a level's runs depend on, in a few letters.
+// An identity of a level: a hash of everything that its runs depend on.
 #pragma once
 
 #include "runtime/level/model/level.hpp"

@@ -26,7 +26,7 @@ public:
     [[nodiscard]] LevelFile const& level() const { return level_; }
     /// As a person would name it.
     [[nodiscard]] std::string const& name() const { return name_; }
-    /// What its runs depend on, for keys of work on it: see level_identity.hpp.
+    /// The identity of the level, for keys of work on it: see level_identity.hpp.
     [[nodiscard]] std::string const& identity() const { return identity_; }
     /// The level's world before its first frame, without any part of the toolbox.
     [[nodiscard]] World const& world() const { return *world_; }

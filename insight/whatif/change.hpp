@@ -43,7 +43,7 @@ struct Change {
     friend bool operator==(Change const&, Change const&) = default;
 };
 
-/// What is changed after a frame of a run, before the next one.
+/// A change after a frame of a run, before the next one.
 struct WhatIf {
     std::uint64_t frame = 0; ///< 0: before the first
     std::vector<Change> changes{};

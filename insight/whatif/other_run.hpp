@@ -36,7 +36,7 @@ public:
     /// altered.
     OtherRun(Registry const& registry, Session const& session, WhatIf whatIf);
 
-    /// Builds the next one of its worlds, so that whoever draws in between never waits for both. True if
+    /// Builds the next one of its worlds, so that drawing in between never waits for both. True if
     /// there is another to be built. Throws InputError if the world cannot be built any more.
     bool build();
     [[nodiscard]] bool built() const { return other_ != nullptr; }

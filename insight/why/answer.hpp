@@ -20,8 +20,8 @@ struct SightedEvent {
     std::vector<StepKind> kinds;      ///< what it may have been
 };
 
-/// What is asked about; exactly one of the four, or none: the first goal that was not met, or else the
-/// solving of the level.
+/// The subject of the question; exactly one of the four, or none: the first goal that was not met, or else
+/// the solving of the level.
 struct Question {
     std::optional<std::string> goal{};     ///< by id
     std::optional<std::uint64_t> event{};  ///< by its number in the trace of the run, as `run --trace` has it
@@ -54,7 +54,8 @@ struct ChainStep {
 
 struct Answer {
     bool happened = false;
-    /// What was asked about, as a step; if a goal was not met, its id is in `goal`, and the chain is empty.
+    /// The subject of the question, as a step; if a goal was not met, its id is in `goal`, and the chain is
+    /// empty.
     std::string goal;
     /// The chain, earliest first; the last one is what was asked about. `Step::because` are places in it.
     std::vector<ChainStep> chain;

@@ -1,4 +1,4 @@
-// What of a story can be left out of another run.
+// The steps of a story of causes that can be left out of another run.
 #pragma once
 
 #include "insight/run/variation.hpp"

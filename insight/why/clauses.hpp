@@ -10,7 +10,7 @@
 
 namespace trembler::insight {
 
-/// What stands in a gap of a text.
+/// The content of a gap of a text.
 struct Said {
     std::string text;
     bool isName = false; ///< of an object: gets an article and a case
@@ -40,7 +40,7 @@ private:
     Catalogue const* catalogue_ = nullptr;
 };
 
-/// What a step says as a sentence without a full stop and as the clause after another one: "the spanner
+/// A step as a sentence without a full stop and as the clause after another one: "the spanner
 /// touches the left contact" and "because the spanner touches the left contact".
 struct Clauses {
     std::string main;

@@ -6,7 +6,7 @@
 
 namespace trembler::insight {
 
-/// What a question is about, and how to recognise it in another run.
+/// The target of a question, and how to recognise it in another run.
 struct Target {
     std::optional<std::string> goal; ///< its id; "" for the solving of the level
     EventId event;                   ///< in the first run; none if the goal was not met

@@ -1,4 +1,4 @@
-// What a story of causes needs to know of the objects of a run, by name, as they were at the start.
+// Facts about the objects of a run, by name and as they were at the start, for the story of causes.
 #pragma once
 
 #include "puzzle/session/run.hpp"

@@ -63,7 +63,7 @@ void joinBounces(Story const& story, std::vector<bool>& shown) {
     }
 }
 
-/// Leaves out those causes that are the same thing's dips into the same liquid, but for the last one.
+/// Leaves out causes that are dips of the same object into the same liquid, except for the last dip.
 void keepLastDips(Story const& story, StepSet& causes) {
     std::erase_if(causes, [&](std::size_t cause) {
         Step const& dip = story.steps[cause];

@@ -15,7 +15,7 @@
 
 namespace trembler::lua {
 
-/// What a registry has of a script: the version that counts, and the components that were made of it. Reading
+/// A script in a registry: the version in use, and the components that were made of it. Reading
 /// it is thread-safe while it is not changed. It may be changed only between the frames of all worlds that
 /// have a component of it, and from one thread at a time.
 class LiveScript : public std::enable_shared_from_this<LiveScript> {

@@ -1,4 +1,4 @@
-// What a script keeps from turn to turn: fields that its manifest declares, per object and for itself.
+// A script's memory from turn to turn: fields that its manifest declares, per object and for itself.
 #pragma once
 
 #include "lua/interaction/manifest.hpp"

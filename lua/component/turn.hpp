@@ -38,7 +38,7 @@ struct Target {
     EventId cause;                  ///< the event that brought it about
 };
 
-/// All that one turn of a script works with.
+/// The data of one turn of a script.
 struct TurnContext {
     Store const& store;
     std::vector<Home> const& homes; ///< of the script's reads
@@ -51,7 +51,7 @@ struct TurnContext {
     std::function<void(std::string const&)> log;
 };
 
-/// What a script has used in a frame, in all of its turns, and what it may use.
+/// The resources that a script has used in a frame, in all of its turns, and its limits.
 struct TurnUsage {
     std::uint64_t instructions = 0;
     std::uint64_t mostInstructions = 0; ///< for all the objects, or pairs, that it was applied to

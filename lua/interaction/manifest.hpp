@@ -1,4 +1,4 @@
-// What a script states of itself: the notation of a scripted interaction.
+// The manifest of a script: the notation of a scripted interaction.
 #pragma once
 
 #include "lua/interaction/value.hpp"

@@ -1,4 +1,4 @@
-// What is not wrong with a script but is probably not meant.
+// Warnings about scripts: valid code that is probably not intended.
 #pragma once
 
 #include "lua/interaction/manifest.hpp"

@@ -33,7 +33,7 @@ struct Mod {
 /// Reads a mod with its scripts, but not its parts and levels. Adds everything that is wrong to `problems`.
 [[nodiscard]] Mod readMod(std::filesystem::path const& folder, Problems& problems);
 
-/// The folder of mods that somebody means: it, or the one above it if it is the folder of one mod itself.
+/// The folder of mods for a stated folder: the same, or the folder above it if it is that of a single mod.
 [[nodiscard]] std::filesystem::path modsFolder(std::filesystem::path const& stated);
 
 /// The folders in which mods are looked for, the first that has one counts: the folders that are stated (each

@@ -1,4 +1,4 @@
-// What scripts can read and call, for editors: annotations of the Lua Language Server.
+// Annotations of the Lua Language Server about everything that scripts can read and call, for text editors.
 #pragma once
 
 #include "lua/reference/reference.hpp"

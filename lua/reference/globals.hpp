@@ -1,4 +1,4 @@
-// What every script sees besides its own: functions for vectors, numbers, texts and tables.
+// The global functions of scripts: for vectors, numbers, texts and tables.
 #pragma once
 
 #include <span>

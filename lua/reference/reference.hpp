@@ -1,5 +1,5 @@
-// What scripts can read and call, gathered from the descriptions of a registry: for the reference page and
-// for editors.
+// Everything that scripts can read and call, gathered from the descriptions of a registry: for the reference
+// page and for editors.
 #pragma once
 
 #include "runtime/component/role_info.hpp"

@@ -1,4 +1,4 @@
-// What a script may use up in one frame. Everything is counted in instructions and bytes, never in time, so a
+// The limits of a script in one frame. Everything is counted in instructions and bytes, never in time, so a
 // script is stopped at the same instruction on every machine. Instructions are those of its text: see
 // CountedSource.
 #pragma once
@@ -26,7 +26,7 @@ struct ScriptLimits {
     std::uint32_t creations = 20; ///< calls that create objects, of those calls
     std::uint32_t logLines = 10;
 
-    /// What a manifest may ask for at most.
+    /// The greatest limits that a manifest may state.
     [[nodiscard]] static constexpr ScriptLimits greatest() {
         return {.instructions = 200'000,
                 .instructionsPerObject = 2'000,

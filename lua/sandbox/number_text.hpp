@@ -1,4 +1,4 @@
-// What keeps arithmetic from converting texts that take long.
+// A check that keeps arithmetic from converting texts whose conversion takes long.
 //
 // Lua's arithmetic takes a text for a number where it reads as one: "1e308" + 0. That is one instruction, and
 // for many digits or a large exponent it takes up to 0.2 ms, which nothing counts or bounds. So no script

@@ -128,7 +128,7 @@ private:
     void compile(lua_State* L, CountedSource const& source, std::string const& name);
     void bindCounter(lua_State* L) const;
     void chooseGlobals(lua_State* L);
-    /// What is left of the instructions: a variable of the prelude that all functions of the state share.
+    /// The remaining instructions: a variable of the prelude that all functions of the state share.
     [[nodiscard]] double left(lua_State* L) const;
     void setLeft(lua_State* L, double instructions) const;
     [[nodiscard]] std::optional<ScriptError> run(lua_State* L, Body const& body);

@@ -63,8 +63,8 @@ struct Plan {
 /// uncertainty.
 void markFront(Ladder& ladder);
 
-/// What a level cannot represent, however long it computes; "" if nothing is known. Settings such as "4
-/// substeps" are looked up by the name of the setting.
+/// The phenomena that a level cannot represent, however long it computes; "" if nothing is known. Settings
+/// such as "4 substeps" are looked up by the name of the setting.
 [[nodiscard]] std::string whatLevelCannotRepresent(std::string const& effect, std::string const& level);
 
 /// "1 substep", "4 substeps"; "automatic substeps" for 0.

@@ -16,7 +16,7 @@ namespace trembler {
 
 enum class ChapterKind : std::uint8_t {
     puzzles, ///< levels to be solved, in order
-    gallery, ///< demonstrations: watched, taken apart and put together again; nobody has to
+    gallery, ///< demonstrations: to be watched, taken apart and put together again, without a task to solve
 };
 
 struct Chapter {

@@ -80,7 +80,7 @@ int KeptBuilds::restore(std::string const& levelId, Session& session) const {
     if (!build) {
         return 0;
     }
-    build->document = nullptr; // problems with it are nobody's business: what fits is placed
+    build->document = nullptr; // problems with it are not reported: the placements that fit are placed
     try {
         session.load(*build);
         return 0;

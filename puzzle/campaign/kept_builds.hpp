@@ -8,7 +8,7 @@
 
 namespace trembler {
 
-/// What the player has built, as the text of a file: a solution without inputs and changes. "" if nothing is
+/// The present build, as the text of a file: a solution without inputs and changes. "" if nothing is
 /// placed.
 [[nodiscard]] std::string buildOf(Session const& session);
 

@@ -1,4 +1,4 @@
-// What a player has reached in each level: whether it is solved, and in which kinds of ways.
+// The player's progress in each level: whether it is solved, and by which kinds of solutions.
 #pragma once
 
 #include "puzzle/campaign/solution_kind.hpp"

@@ -1,4 +1,4 @@
-// All that can be found wrong with a level before it runs: for verify, and for the editor while one edits.
+// All checks of a level before it runs: for verify, and for the editor while a level is edited.
 #pragma once
 
 #include "puzzle/data/game_data.hpp"
@@ -12,7 +12,7 @@
 
 namespace trembler {
 
-/// What is wrong with a level, and how far it could be made.
+/// The problems of a level, and how far it could be loaded.
 struct LevelCheckup {
     /// In the order of the places in the files, at most Problems::most; empty if nothing is wrong.
     std::vector<Diagnostic> problems{};

@@ -1,4 +1,4 @@
-// Which placement of a solution no world can be built with.
+// Finds the placement of a solution because of which no world can be built.
 #pragma once
 
 #include "runtime/level/json/diagnostic.hpp"

@@ -39,7 +39,7 @@ inline constexpr SDL_Keycode padRightStickDown = padRightTrigger + 4;
 /// The inverse, ignoring case.
 [[nodiscard]] std::optional<SDL_Keycode> padKeyFrom(std::string_view name);
 
-/// What a second player holds on a gamepad of their own.
+/// The held buttons and sticks of a second player with a gamepad of their own.
 struct SecondPad {
     double x = 0; ///< of the left stick or the directional pad, -1 to 1, to the right
     double y = 0; ///< up

@@ -1,4 +1,4 @@
-// What happened in a world: where everything was in every frame.
+// A record of a world: where everything was in every frame.
 #pragma once
 
 #include "tests/conventional/geometry.hpp"

@@ -69,7 +69,7 @@ void cutAny(Setting& setting, Random& random, int first, int last);
 [[nodiscard]] double stated(Setting const& setting, std::string const& name, std::string const& property,
                             std::string const& field, double otherwise);
 
-// What scripts of several scenes use.
+// Functions that scripts of several scenes use.
 /// Prefabs that a designer has marked as conducting.
 [[nodiscard]] bool isMarkedConducting(Game const& game, std::string const& name);
 /// Scripts that set a flag to zero for each wire that is cut: one for each.

@@ -1,5 +1,6 @@
-// What is right: statements about electricity and forces that share no code with the simulations. Circuits
-// are found by trying every path, contacts by comparing every edge with every edge, forces by Coulomb's law.
+// The expected results: statements about electricity and forces that share no code with the simulations.
+// Circuits are found by trying every path, contacts by comparing every edge with every edge, forces by
+// Coulomb's law.
 #pragma once
 
 #include "tests/conventional/film.hpp"

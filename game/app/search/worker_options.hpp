@@ -25,8 +25,8 @@ struct WorkerArguments {
 /// Adds --threads, --resume and --mpi.
 void addWorkerOptions(CLI::App& command, WorkerArguments& arguments);
 
-/// What such a command has while it works: its workers, which Ctrl-C and the end of the minutes stop, their
-/// team and journal, and the progress on the terminal.
+/// The state of such a command while it works: its workers, which Ctrl-C and the end of the minutes stop,
+/// their team and journal, and the progress on the terminal.
 class WorkPlace {
 public:
     /// Throws std::invalid_argument if there is no such team, OutputError if the journal cannot be written.
@@ -39,7 +39,7 @@ public:
     /// Does something in the leader only, such as opening files. If it throws, all members of the team throw,
     /// so that none waits for another for ever.
     void asLeader(std::function<void()> const& work);
-    /// What is being done, for the progress line.
+    /// The present step of the work, for the progress line.
     void say(std::string what) { what_ = std::move(what); }
     void clearProgress() { progress_.clear(); }
     /// s since the beginning

@@ -16,7 +16,7 @@ class GameLoop {
 public:
     GameLoop(GameApp& app, render::Window& window) : app_(app), window_(window) {}
 
-    /// One picture, which is not drawn if it would be that of before, or if nobody sees the window; then
+    /// One picture, which is not drawn if it would be that of before, or if the window is not visible; then
     /// waits until the next is due. Returns false once the player has left.
     bool turn() {
         drawn_ += seen_ ? 1U : 0U;

@@ -140,7 +140,7 @@ std::optional<ScreenRequest> TitleScreen::update(double seconds) {
     drawTitle();
     drawButtons();
     if (context_.input.pressed(MouseButton::Left) && !context_.gui.wantsMouse() && rings_ <= 0) {
-        rings_ = ringingFor; // whoever touches it hears it ring, so to speak
+        rings_ = ringingFor; // a click on the background rings the bell of the picture
     }
     return request_;
 }

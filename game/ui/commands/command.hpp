@@ -76,7 +76,7 @@ public:
     [[nodiscard]] virtual CommandInfo const& info(std::size_t index) const = 0;
     [[nodiscard]] virtual bool available(std::size_t index) const = 0;
     [[nodiscard]] virtual bool on(std::size_t index) const = 0;
-    /// What buttons of gamepads mean at present.
+    /// The meaning of the buttons of gamepads at present.
     [[nodiscard]] virtual PadPhase phase() const { return PadPhase::always; }
     /// Does nothing if the command is not available.
     virtual void run(std::size_t index) = 0;

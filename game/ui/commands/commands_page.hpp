@@ -1,4 +1,4 @@
-// The page of all commands of the covered screen: whoever plays with a gamepad, which has few buttons,
+// The page of all commands of the covered screen: a player with a gamepad, which has few buttons,
 // reaches every one of them here.
 #pragma once
 

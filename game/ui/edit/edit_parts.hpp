@@ -43,7 +43,7 @@ struct EditOptions {
     std::filesystem::path recovery{}; ///< folder for unsaved work; empty: none is kept
 };
 
-/// What takes long to find out about many selected objects, of a state of the document.
+/// Facts about the selected objects that take long to compute, kept for one state of the document.
 struct AboutSelection {
     std::uint64_t revision = 0;
     std::vector<std::string> names;

@@ -9,7 +9,7 @@
 
 namespace trembler::ui {
 
-/// What a picture of a level shows: its scene, the areas of its goals, and a margin.
+/// The content of a picture of a level: its scene, the areas of its goals, and a margin.
 [[nodiscard]] render::Extent pictureSubject(Session const& session, GoalAreas const& areas);
 
 /// The camera stays where it was at the beginning. Window thread only; the window must outlive it.

@@ -13,7 +13,7 @@
 
 namespace trembler::ui {
 
-/// What a picture of a session shows.
+/// The content of a picture of a session.
 struct PictureOptions {
     render::Overlays overlays{};
     std::vector<render::Ripple> ripples{}; ///< around sounding objects

@@ -58,7 +58,7 @@ std::string inOneLine(ImWchar const* from, ImWchar const* to) {
     return line;
 }
 
-/// Whether the event is of somebody who has a real keyboard or a mouse.
+/// Whether the event comes from a real keyboard or a mouse.
 bool isOfHands(SDL_Event const& event) {
     return event.type == SDL_MOUSEBUTTONDOWN || event.type == SDL_MOUSEWHEEL ||
            (event.type == SDL_KEYDOWN && !isPadKey(event.key.keysym.sym));
@@ -261,7 +261,7 @@ void ScreenKeyboard::takeInput(render::InputEvents& input, double seconds) {
     if (hands && open_) {
         hide();
     }
-    // Whoever took to the keyboard may take the gamepad again: then its button only opens this.
+    // A player who used the keyboard may use the gamepad again: then its button only opens this.
     bool const opens = !open_ && pad && byPad_ && fieldInUse() != nullptr && (!waited_ || asked);
     if (!open_ && !opens) {
         return;

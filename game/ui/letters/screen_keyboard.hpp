@@ -47,7 +47,7 @@ private:
     };
     void show();
     void hide();
-    /// What one button that went down does.
+    /// Carries out the action of one button that went down.
     void press(SDL_Keycode pad, render::InputEvents& input);
     void act(LetterKey const& key, SDL_Keycode pad, render::InputEvents& input);
     /// A key of a real keyboard, until the button is let go.

@@ -16,7 +16,7 @@ public:
     void setOpen(bool open) { open_ = open; }
     [[nodiscard]] bool open() const { return open_; }
     /// Call between Gui::beginFrame and endFrame. `top` and the maximum `height` are in pixels at UI scale 1.
-    /// What the player does to a script takes effect in the live mods at once.
+    /// Changes that the player makes to a script take effect in the live mods at once.
     void draw(Layout& layout, Registry const& registry, LiveMods& liveMods, Session const& session, float top,
               float height);
 

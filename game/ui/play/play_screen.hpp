@@ -36,7 +36,7 @@ public:
 
     [[nodiscard]] Session const& session() const { return parts_.session; }
     [[nodiscard]] Session& session() { return parts_.session; }
-    /// To be called after somebody else has given the session another world.
+    /// To be called after other code has given the session another world.
     void worldChanged() { parts_.newWorld(); }
     [[nodiscard]] std::filesystem::path const& file() const { return parts_.file; }
     [[nodiscard]] Shown const& shown() const { return parts_.shown; }

@@ -16,8 +16,8 @@ public:
     /// Clips and pictures go into files below `folder`.
     explicit Recorder(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
-    /// Makes the folder, so that a clip is not recorded in vain. Throws RenderError with a message for the
-    /// player if that is not possible.
+    /// Makes the folder, so that a clip is not recorded that cannot be saved. Throws RenderError with a
+    /// message for the player if that is not possible.
     void prepare() const;
     /// Writes a clip, "clip-1.webp" and so on, whose last picture is shown until `milliseconds`; returns its
     /// path. Throws RenderError or OutputError.

@@ -1,4 +1,4 @@
-// What is wrong with a file, or with what was tried, in the player's language.
+// Messages about wrong files and refused actions, in the player's language.
 #pragma once
 
 #include "runtime/level/json/diagnostic.hpp"

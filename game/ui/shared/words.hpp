@@ -153,7 +153,7 @@ inline char const* const& failedInThisRun = said("It failed and is switched off 
 inline char const* const& fileRefused = said("The file as it was saved is not used");
 inline char const* const& howItCameThere = said("How it came there");
 
-// What accuracy costs.
+// The cost of accuracy.
 inline char const* const& effect = said("effect");
 inline char const* const& howExactly = said("how exactly");
 inline char const* const& timePerFrameOf = said("time per frame");

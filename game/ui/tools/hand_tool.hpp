@@ -37,11 +37,11 @@ public:
     [[nodiscard]] render::Link const& wireUnderBlades() const { return wire_; }
     /// The wire that was cut since the last call; both ids invalid if there is none.
     [[nodiscard]] render::Link takeCut() { return std::exchange(cut_, {}); }
-    /// What is held, or an invalid id.
+    /// The held object, or an invalid id.
     [[nodiscard]] ObjectId held() const { return held_; }
     /// Where the hand pulls it to, m.
     [[nodiscard]] Vec2 target() const { return target_; }
-    /// Something is pressed, though perhaps not yet held.
+    /// An object is pressed, but may not be held yet.
     [[nodiscard]] bool busy() const { return press_.has_value() || held_.valid(); }
 
 private:

@@ -12,7 +12,7 @@ namespace trembler::lua {
 // None of these has an object with a destructor on its stack when it calls what may raise an error, but for
 // short strings, which Lua's errors unwind on the platforms that it is built for.
 struct Sandbox::Functions {
-    // What the prelude is given, as its table `host`.
+    // The fields of the table `host`, the argument of the prelude.
     static luaL_Reg const all[];
     static int charge(lua_State* L);
     static int show(lua_State* L);

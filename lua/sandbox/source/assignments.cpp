@@ -1,4 +1,4 @@
-// What a script's text assigns to: names that are perhaps globals, and fields of tables.
+// The targets of assignments in a script's text: names that may be globals, and fields of tables.
 #include "lua/sandbox/source/assignments.hpp"
 
 #include <vector>

@@ -1,4 +1,4 @@
-// What a script's text assigns to: names that are perhaps globals, and fields of tables.
+// The targets of assignments in a script's text: names that may be globals, and fields of tables.
 #pragma once
 
 #include "lua/sandbox/source/tokens.hpp"
@@ -33,7 +33,7 @@ public:
     [[nodiscard]] bool ofFields() const {
         return fields_ || (toStore_ && !(storeIsItself_ && storeIsPlain()));
     }
-    /// The names to which it assigns that are perhaps no local variables.
+    /// The names to which it assigns that may not be local variables.
     [[nodiscard]] std::set<std::string, std::less<>> const& names() const { return names_; }
 
 private:

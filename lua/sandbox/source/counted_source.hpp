@@ -32,7 +32,7 @@ struct CountedSource {
     /// Whether the script may assign to a field of a table that is not its own: to any but those of its
     /// store. Tables can be shown to one that does not as they are, without a read-only table before them.
     bool assignsFields = false;
-    /// The names to which it assigns that are perhaps no local variables.
+    /// The names to which it assigns that may not be local variables.
     std::set<std::string, std::less<>> assigned;
 
     static constexpr std::size_t anyNumber = 100;

@@ -1,4 +1,4 @@
-// What is looked for in the text of a script before Lua sees it.
+// The checks of the text of a script before Lua sees it.
 #pragma once
 
 #include <cstddef>

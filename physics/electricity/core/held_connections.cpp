@@ -39,7 +39,7 @@ std::vector<HeldConnections::Difference> HeldConnections::replace(std::vector<He
     }
     for (Difference& difference : differences) {
         if (difference.delta < 0) {
-            difference.held.event = {}; // nobody made a call; the one that stood has ended
+            difference.held.event = {}; // there was no call; the held one has ended
         }
     }
     held_ = std::move(now);

@@ -20,7 +20,7 @@ public:
         CallerId caller;
         EventId event; ///< of the call; it does not distinguish connections
     };
-    /// What differs from the last turn: a connection, and by how much its caller's count changes, 1 or -1.
+    /// A difference from the last turn: a connection, and by how much its caller's count changes, 1 or -1.
     struct Difference {
         Held held;
         int delta = 0;

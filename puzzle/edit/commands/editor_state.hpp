@@ -1,4 +1,4 @@
-// What the editor keeps about objects in the file, under the key "editor": groups, locked and hidden objects.
+// The editor's own data about objects in the file, under the key "editor": groups, locked and hidden objects.
 // No simulation reads it, and the game does not show it:
 //     "editor": {"groups": [["door", "hinge post"]], "locked": ["floor"], "hidden": ["backboard"]}
 // Names that no object has are ignored; the next of these commands drops them.

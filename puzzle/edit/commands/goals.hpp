@@ -11,7 +11,7 @@
 
 namespace trembler::edit {
 
-/// A demonstration has two trees: what it reaches by itself, and the task of whoever plays it.
+/// A demonstration has two trees: what it reaches by itself, and the task of its player.
 enum class GoalTree : std::uint8_t { goals, task };
 /// "goals" or "task", the tree's key in files.
 [[nodiscard]] char const* keyOf(GoalTree tree);

@@ -21,7 +21,7 @@ namespace trembler::edit {
 [[nodiscard]] Command removeSolution(Json const& level, std::string const& name);
 /// Whether the run must solve the level, or must not.
 [[nodiscard]] Command expectSolved(Json const& level, std::string const& name, bool solved);
-/// How many frames of 1/60 s the run has; 0: whoever runs it decides.
+/// How many frames of 1/60 s the run has; 0: decided by the program that runs it.
 [[nodiscard]] Command setSolutionFrames(Json const& level, std::string const& name, int frames);
 [[nodiscard]] Command moveSolution(Json const& level, std::size_t from, std::size_t to);
 

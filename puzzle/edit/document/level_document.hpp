@@ -20,7 +20,7 @@ namespace trembler::edit {
 struct SaveResult {
     enum class Kind {
         saved,
-        /// Somebody else changed the file since it was opened or saved last, or another file of that name
+        /// Another program changed the file since it was opened or saved last, or another file of that name
         /// exists; nothing was written. Ask the author, then save with Overwrite::yes or elsewhere.
         conflict,
         failed, ///< nothing was written; the file is as it was
@@ -70,7 +70,7 @@ public:
 
     /// Whether commands are refused, because the file was opened with faults.
     [[nodiscard]] bool readOnly() const { return readOnly_; }
-    /// What was wrong with the file when it was opened.
+    /// The problems of the file when it was opened.
     [[nodiscard]] std::vector<Diagnostic> const& faults() const { return faults_; }
     /// Whether the author may decide to edit it nevertheless: the file is a JSON object of a version that
     /// this program knows. Editing keeps what it does not understand.
@@ -116,14 +116,14 @@ public:
 
     // Saving.
 
-    /// Writes the file completely or not at all, and keeps its permissions. A file that somebody else changed
-    /// since it was opened is not overwritten unless `overwrite` is yes. A new level fails: it has no path. A
-    /// read-only document fails.
+    /// Writes the file completely or not at all, and keeps its permissions. A file that another program
+    /// changed since it was opened is not overwritten unless `overwrite` is yes. A new level fails: it has no
+    /// path. A read-only document fails.
     [[nodiscard]] SaveResult save(Overwrite overwrite = Overwrite::no);
     /// Saves to another file, which becomes the document's. Makes no folders. A read-only document may be
     /// saved elsewhere: its text is copied.
     [[nodiscard]] SaveResult saveAs(std::filesystem::path const& path, Overwrite overwrite = Overwrite::no);
-    /// Whether somebody else changed or removed the file since it was opened or saved last. Reads the file.
+    /// Whether another program changed or removed the file since it was opened or saved last. Reads the file.
     [[nodiscard]] bool changedOnDisk() const;
     /// The text of the file when it was opened or saved last; nothing for a new level.
     [[nodiscard]] std::optional<std::string> const& onDisk() const { return onDisk_; }

@@ -1,4 +1,4 @@
-// What an entry of a level becomes in the world: one object, or the pieces of a composite part.
+// The objects that an entry of a level becomes in the world: one, or the pieces of a composite part.
 #pragma once
 
 #include "puzzle/data/game_data.hpp"

@@ -1,4 +1,4 @@
-// What parts state about the objects that are made from them: of one object, or of the pieces of a composite.
+// The statements of parts about the objects made from them: about one object, or the pieces of a composite.
 #pragma once
 
 #include "puzzle/data/game_data.hpp"

@@ -1,4 +1,4 @@
-// What a condition of the kind "count" demands.
+// The number of objects that a condition of the kind "count" demands.
 #pragma once
 
 #include "puzzle/goals/model/condition.hpp"

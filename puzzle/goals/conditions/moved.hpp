@@ -1,4 +1,4 @@
-// What a condition of the kind "moved" demands.
+// The way that a condition of the kind "moved" demands.
 #pragma once
 
 #include "puzzle/goals/model/condition.hpp"

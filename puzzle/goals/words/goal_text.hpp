@@ -10,7 +10,7 @@
 
 namespace trembler {
 
-/// What a phrase asks the player to do with a condition.
+/// The request of a phrase to the player.
 enum class Mood {
     reach, ///< make it hold: "switch on the lamp"
     keep,  ///< make it continue to hold: "keep the lamp lit"

@@ -1,4 +1,4 @@
-// What runs between two places, or around two wheels: ropes, chains, belts, rods, springs and wires.
+// Drawing of ropes, chains, belts, rods, springs and wires, between two places or around two wheels.
 #pragma once
 
 #include "physics/dynamics/properties/joint_look.hpp"

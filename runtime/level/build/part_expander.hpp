@@ -1,4 +1,4 @@
-// What an object becomes that is made from a part: one object, or the pieces of a composite.
+// Expands an entry that is made from a part: to one object, or to the pieces of a composite.
 #pragma once
 
 #include "runtime/level/build/made_object.hpp"

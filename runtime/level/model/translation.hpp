@@ -7,7 +7,7 @@
 
 namespace trembler {
 
-/// What a file says for people, in one language. An empty text: that of the file itself applies.
+/// The texts of a file for people, in one language. An empty text: that of the file itself applies.
 struct Translation {
     std::string title;
     std::string text;

@@ -1,4 +1,4 @@
-// What the level editor keeps in a level file. No simulation reads it.
+// The level editor's own data in a level file. No simulation reads them.
 #pragma once
 
 #include "runtime/level/json/json_node.hpp"

@@ -1,4 +1,4 @@
-// What the tests of the editor's document share.
+// Helpers shared by the tests of the editor's document.
 #pragma once
 
 #include "puzzle/edit/document/level_document.hpp"

@@ -1,4 +1,4 @@
-// What the editor's commands do, and when they can be done.
+// The functions behind the editor's commands, and when they are available.
 #pragma once
 
 #include "game/ui/edit/edit_parts.hpp"

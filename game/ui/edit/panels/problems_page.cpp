@@ -42,7 +42,7 @@ void showCulprit(EditParts& parts, edit::Problem const& problem) {
     case About::solution:
         parts.tab = Tab::solutions;
         break;
-    case About::ownPart: // the file is to be mended elsewhere
+    case About::ownPart: // the file has to be corrected elsewhere
         parts.tell(shownFault(problem.diagnostic), ToastKind::Trouble);
         break;
     case About::level:

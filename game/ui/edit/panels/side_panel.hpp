@@ -6,7 +6,7 @@
 
 namespace trembler::ui {
 
-/// What happened in the panel that others must know.
+/// Events in the panel that other parts of the editor must react to.
 struct PanelUse {
     bool tookPart = false; ///< a part of the catalogue was pressed, and may be dragged out
 };

@@ -14,7 +14,7 @@
 
 namespace trembler::ui {
 
-/// What can be asked of any such work, whatever it finds. Window thread only, except where stated.
+/// The interface of all background work, whatever its result. Window thread only, except where stated.
 class AnyWork {
 public:
     AnyWork() = default;
@@ -27,7 +27,7 @@ public:
     /// From any thread.
     [[nodiscard]] bool stopAsked() const { return stopAsked_; }
     [[nodiscard]] bool running() const { return running_; }
-    /// What is being done now, as the work says it; "" before it has said anything.
+    /// The present step, as the work reports it; "" before its first report.
     [[nodiscard]] std::string step() const {
         std::lock_guard const lock(mutex_);
         return step_;

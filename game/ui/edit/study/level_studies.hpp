@@ -1,4 +1,5 @@
-// What the editor has asked insight about the level: a report, what its effects cost, what else solves it.
+// The analyses of the edited level that run in the background: report, costs of effects, search for
+// solutions.
 #pragma once
 
 #include "game/ui/edit/study/background_work.hpp"

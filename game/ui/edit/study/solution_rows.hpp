@@ -1,4 +1,4 @@
-// What the report says of one recorded solution.
+// The rows of the report about one recorded solution.
 #pragma once
 
 #include "game/ui/edit/edit_parts.hpp"

@@ -14,7 +14,7 @@ namespace trembler::ui {
 /// Window thread only.
 class EditMouse {
 public:
-    /// What a held button is doing.
+    /// The action of the held button.
     enum class Doing : std::uint8_t {
         nothing,
         pressing, ///< on an object, not moved yet

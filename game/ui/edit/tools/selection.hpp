@@ -1,4 +1,4 @@
-// What the designer has selected: objects by name, a piece of them, or one entry of another kind.
+// The designer's selection: objects by name, a piece of them, or one entry of another kind.
 #pragma once
 
 #include <algorithm>

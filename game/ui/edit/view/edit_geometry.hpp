@@ -1,4 +1,4 @@
-// Where the things of the edited scene are: objects, handles, areas, joints, wires.
+// The places of everything in the edited scene that can be clicked: objects, handles, areas, joints, wires.
 #pragma once
 
 #include "game/ui/edit/edit_parts.hpp"

@@ -33,7 +33,7 @@ public:
     // Each returns a sentence for the player if it is not possible, else an empty text. `index` is that of
     // items().
     [[nodiscard]] std::string load(std::size_t index);
-    /// Of one's own only.
+    /// Both only for solutions that the player has saved (Item::mine).
     [[nodiscard]] std::string rename(std::size_t index, std::string const& name);
     [[nodiscard]] std::string remove(std::size_t index);
 

@@ -25,7 +25,7 @@ public:
         : session_(session), placing_(placing), group_(group), wires_(wires), hand_(hand), second_(second),
           view_(view), picking_(picking) {}
 
-    /// What FieldMouse needs to know of the rest of the screen.
+    /// The state of the rest of the screen that FieldMouse depends on.
     struct Surroundings {
         std::optional<Vec2> handle; ///< middle of the handle that turns the selected part, m
         bool watching = false;      ///< a run is watched again: objects cannot be grabbed

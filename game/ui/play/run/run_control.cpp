@@ -66,7 +66,7 @@ void RunControl::catchUp() {
     if (session_.world().frame() >= *target_) {
         target_.reset();
         session_.takeOver();
-        emptyHands(session_); // what they held then, nobody holds now
+        emptyHands(session_); // the objects that they held then are not held now
         speed_.reset();
     }
 }

@@ -13,7 +13,7 @@ class Loudspeaker;
 
 namespace trembler::ui {
 
-/// What of a level's screen can be heard.
+/// The parts of a level's screen that make sounds.
 struct Touched {
     bool carrying = false; ///< a part, or several
     bool building = true;

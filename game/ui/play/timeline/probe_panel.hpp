@@ -11,7 +11,7 @@
 
 namespace trembler::ui {
 
-/// What can be plotted of an object.
+/// A quantity of an object that can be plotted.
 struct Quantity {
     std::string name; ///< for people
     std::string what; ///< as watch::find() takes it: "ball.velocity.length"

@@ -75,7 +75,7 @@ public:
 
     // Playing what was recorded.
     [[nodiscard]] bool playing() const { return playing_; }
-    /// Whether the next picture shows something new although nobody does anything.
+    /// Whether the next picture shows something new without any input.
     [[nodiscard]] bool moving() const { return playing_ || reading_ || target_.has_value(); }
     /// Plays on from the shown frame, or, if it is the last one, from the beginning; or stops playing.
     void playOrPause();

@@ -13,7 +13,7 @@ inline constexpr float timelineRow = 50;
 inline constexpr float trackFromLeft = 3 * 44;
 inline constexpr float trackFromRight = 4 * 44 + 112;
 
-/// What the player asks of the timeline.
+/// The player's request to the timeline.
 struct TimelineRequest {
     std::optional<std::uint64_t> frame; ///< to be shown; another one than is shown
     std::optional<insight::Mark> why;   ///< was clicked
@@ -22,7 +22,7 @@ struct TimelineRequest {
 /// Draws the card "timeline" and lets the mouse drag along the track. Between Gui::beginFrame and endFrame.
 [[nodiscard]] TimelineRequest drawTimelineBar(CommandButtons& buttons, Timeline const& timeline);
 
-/// What happened, for people: "Contact: switch, left contact".
+/// A marked event in words: "Contact: switch, left contact".
 [[nodiscard]] std::string wordsOf(insight::Mark const& mark);
 
 } // namespace trembler::ui

@@ -1,4 +1,4 @@
-// What a level says to its player, in the language in use.
+// A level's texts for the player, in the language in use.
 #pragma once
 
 #include "puzzle/session/session.hpp"

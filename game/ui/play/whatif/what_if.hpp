@@ -1,4 +1,4 @@
-// What if something had been different at a moment of the run: another run beside the real one.
+// A second run beside the real one, in which something is changed at a moment of the run.
 #pragma once
 
 #include "game/ui/play/timeline/timeline.hpp"
@@ -60,7 +60,7 @@ public:
     /// Once per picture: computes on, for a few milliseconds at most, or builds one world: the real run once
     /// more, the other run, and what it is shown on. While changes come in every picture, it waits.
     void pass();
-    /// Whether the next picture may show something new although nobody does anything.
+    /// Whether the next picture may show something new without any input.
     [[nodiscard]] bool moving() const { return moving_; }
     /// Whether the other run, with all changes, has not been computed yet as far as the real one.
     [[nodiscard]] bool working() const { return active_ && working_; }

@@ -34,7 +34,7 @@ public:
     void askGoal(std::string const& id);
     /// The goal after the one that was asked about last; at first the one that was not met, or else the last.
     void askNextGoal();
-    /// What last happened to an object by that frame, by its name.
+    /// The last event of an object up to that frame, by the object's name.
     void askObject(std::string const& name, std::uint64_t frame);
     void askMark(insight::Mark const& mark);
     /// The run is about to end; it can still be asked about.
@@ -47,7 +47,7 @@ public:
     void close();
     /// Ends a question that goes on, with what it has; else closes the card.
     void stopOrClose();
-    /// Something new may be seen in the next picture although nobody does anything.
+    /// Whether the next picture may show something new without any input.
     [[nodiscard]] bool busy() const { return inquiry_.busy(); }
     /// See Inquiry::working().
     [[nodiscard]] bool working() { return inquiry_.working(); }

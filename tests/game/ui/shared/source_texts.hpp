@@ -1,4 +1,4 @@
-// What the program's sources say: their literals, and the texts that they ask for.
+// The texts in the program's sources: their literals, and the texts that they look up.
 #pragma once
 
 #include <algorithm>
