@@ -27,6 +27,8 @@ public:
     [[nodiscard]] bool typing() const { return renamed_.has_value(); }
     /// A file is being chosen: the page itself is not shown.
     [[nodiscard]] bool browsing() const { return browser_.isOpen(); }
+    /// The folder whose files are shown while one is chosen.
+    [[nodiscard]] std::filesystem::path const& browsed() const { return browser_.folder(); }
     /// Ends the typing, or the choice of a file, without a change. False if there is neither.
     bool cancel();
 

@@ -2,6 +2,7 @@
 // window.
 #include "game/ui/shared/texts.hpp"
 #include "runtime/file/output_file.hpp"
+#include "runtime/file/visible_text.hpp"
 #include "runtime/level/write/write_level.hpp"
 #include "tests/game/ui/tidy.hpp"
 #include "tests/game/ui/virtual_pad.hpp"
