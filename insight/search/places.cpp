@@ -5,6 +5,7 @@
 #include "puzzle/goals/model/condition.hpp"
 #include "puzzle/goals/read_goals.hpp"
 #include "puzzle/session/fit.hpp"
+#include "puzzle/session/zone.hpp"
 #include "runtime/level/build/placing.hpp"
 #include "runtime/level/json/diagnostic.hpp"
 
@@ -176,22 +177,28 @@ private:
     std::set<std::array<long long, 4>> seen_;
 };
 
-/// The nearest point of the areas that are rectangles; the point itself if it lies in any area.
-Vec2 nearestAllowed(LevelUnderTest const& level, Vec2 point) {
+/// The nearest place at which the part lies wholly in one of the areas that are rectangles; its own place if
+/// it lies inside already, or if it is too large for all of them. `outline`: that of the part at (0, 0).
+Vec2 nearestAllowed(LevelUnderTest const& level, Placement const& placement, Outline const& outline) {
+    if (!whyItSticksOut(level.level(), level.data().parts, placement)) {
+        return placement.at;
+    }
     double best = std::numeric_limits<double>::infinity();
-    Vec2 nearest = point;
+    Vec2 nearest = placement.at;
     for (Area const& area : placingAreas(level)) {
-        if (area.contains(point)) {
-            return point;
+        if (!area.box) {
+            continue;
         }
-        if (area.box) {
-            Vec2 const low = area.box->corner;
-            Vec2 const high = low + area.box->size;
-            Vec2 const inside{std::clamp(point.x, low.x, high.x), std::clamp(point.y, low.y, high.y)};
-            if (lengthSquared(inside - point) < best) {
-                best = lengthSquared(inside - point);
-                nearest = inside;
-            }
+        Vec2 const low = area.box->corner - outline.low;
+        Vec2 const high = area.box->corner + area.box->size - outline.high;
+        if (low.x > high.x || low.y > high.y) {
+            continue;
+        }
+        Vec2 const inside{std::clamp(placement.at.x, low.x, high.x),
+                          std::clamp(placement.at.y, low.y, high.y)};
+        if (lengthSquared(inside - placement.at) < best) {
+            best = lengthSquared(inside - placement.at);
+            nearest = inside;
         }
     }
     return nearest;
@@ -234,10 +241,11 @@ std::optional<Placement> placedAt(LevelUnderTest const& level, Place const& plac
     case Side::middle:
         break;
     }
-    placement.at = nearestAllowed(level, placement.at);
+    placement.at = nearestAllowed(level, placement, *outline);
     for (int step = 0; step <= mostStepsAway; ++step) {
         PlacementCount count(level.level(), level.data().parts);
-        if (!count.add(placement) && !whyItDoesNotFit(level.world(), level.data().parts, placement, {})) {
+        if (!count.add(placement) && !whyItSticksOut(level.level(), level.data().parts, placement) &&
+            !whyItDoesNotFit(level.world(), level.data().parts, placement, {})) {
             return placement;
         }
         placement.at += stepAway * away;

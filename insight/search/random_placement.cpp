@@ -4,6 +4,7 @@
 #include "insight/trial/trial.hpp"
 #include "physics/dynamics/properties/overlap.hpp"
 #include "puzzle/session/fit.hpp"
+#include "puzzle/session/zone.hpp"
 #include "runtime/placement.hpp"
 #include "runtime/property/for_each.hpp"
 
@@ -92,6 +93,7 @@ std::optional<Placement> placedAtRandom(LevelUnderTest const& level, Solution co
         std::size_t const turn = random.chance(0.5) ? 0 : random.below(turns);
         placement.angle = static_cast<double>(turn) * pi / 12;
         if (!areas[chosen].contains(placement.at) ||
+            whyItSticksOut(level.level(), level.data().parts, placement) ||
             whyItDoesNotFit(level.world(), level.data().parts, placement, {})) {
             continue;
         }

@@ -3,6 +3,7 @@
 #include "insight/miss/miss_meter.hpp"
 #include "puzzle/session/fit.hpp"
 #include "puzzle/session/playback.hpp"
+#include "puzzle/session/zone.hpp"
 #include "runtime/level/build/placing.hpp"
 
 #include <nlohmann/json.hpp>
@@ -32,6 +33,9 @@ std::optional<std::string> whyNotAllowed(LevelUnderTest const& level, Solution c
     PlacementCount count(level.level(), level.data().parts);
     for (Placement const& placement : solution.placements) {
         if (auto why = count.add(placement)) {
+            return why;
+        }
+        if (auto why = whyItSticksOut(level.level(), level.data().parts, placement)) {
             return why;
         }
     }

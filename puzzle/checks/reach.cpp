@@ -5,6 +5,7 @@
 #include "puzzle/checks/level_checks.hpp"
 #include "puzzle/goals/read_goals.hpp"
 #include "puzzle/session/fit.hpp"
+#include "puzzle/session/zone.hpp"
 #include "runtime/level/json/add_problem.hpp"
 #include "runtime/placement.hpp"
 #include "runtime/world/world.hpp"
@@ -100,7 +101,7 @@ public:
             if (!isPlacedBySolution(entry.part) && !hasRoom(entry.part)) {
                 complain(entry.path,
                          fmt::format("there is no room for '{}' in any area for placing", entry.part),
-                         "an area in which the part overlaps nothing");
+                         "an area in which the whole part lies and overlaps nothing");
             }
         }
     }
@@ -137,7 +138,8 @@ private:
             for (int j = 0; j < steps; ++j) {
                 Placement placement{part, {}, angle, {}};
                 placement.at = reach.low + Vec2{size.x * (i + 0.5) / steps, size.y * (j + 0.5) / steps};
-                if (area.contains(placement.at) && !whyItDoesNotFit(world_, data_.parts, placement, {})) {
+                if (area.contains(placement.at) && !whyItSticksOut(level_, data_.parts, placement) &&
+                    !whyItDoesNotFit(world_, data_.parts, placement, {})) {
                     return true;
                 }
             }

@@ -1,6 +1,7 @@
 #include "puzzle/session/placements.hpp"
 
 #include "puzzle/session/fit.hpp"
+#include "puzzle/session/zone.hpp"
 #include "runtime/level/build/placing.hpp"
 #include "runtime/level/json/add_problem.hpp"
 
@@ -48,6 +49,9 @@ Verdict Placements::check(Placement const& placement, World const& world, std::o
         }
     }
     std::optional<std::string> why = checkPlacement(level_, parts_, others, placement);
+    if (!why) {
+        why = whyItSticksOut(level_, parts_, placement);
+    }
     if (!why) {
         why = whyItDoesNotFit(world, parts_, placement, ignored);
     }

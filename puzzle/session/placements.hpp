@@ -47,8 +47,8 @@ public:
     [[nodiscard]] std::optional<std::size_t> indexOf(int number) const;
     [[nodiscard]] std::vector<ToolboxSlot> toolbox() const;
 
-    /// Whether a part may be placed there: the level must allow it, and it must not overlap anything in
-    /// `world`, which was built from now(). If a placed part is being moved there, `moved` is its number and
+    /// Whether a part may be placed there: the level must allow it, it must lie wholly in the areas for
+    /// placing (whyItSticksOut()), and it must not overlap anything in `world`, which was built from now(). If a placed part is being moved there, `moved` is its number and
     /// `ignored` are its objects, which are not checked for overlap.
     [[nodiscard]] Verdict check(Placement const& placement, World const& world, std::optional<int> moved = {},
                                 std::span<ObjectId const> ignored = {}) const;
@@ -64,7 +64,7 @@ public:
     /// now() without that part; nothing if it is not placed.
     [[nodiscard]] std::optional<List> without(int number) const;
     /// The solution's placements only, with new numbers. Throws InputError, with their places in the file, if
-    /// the level does not allow them.
+    /// the level does not allow them. The centres of parts count, see whyItSticksOut().
     [[nodiscard]] List those(Solution const& solution);
 
     /// Makes `next` the current list; undo() returns to the previous one.

@@ -1,6 +1,7 @@
 // Edits of several placed parts in one step.
 #include "puzzle/session/fit.hpp"
 #include "puzzle/session/session.hpp"
+#include "puzzle/session/zone.hpp"
 #include "runtime/level/build/placing.hpp"
 
 #include <algorithm>
@@ -22,6 +23,9 @@ Verdict Session::checkAll(std::span<PlacedPart const> moved) const {
     }
     for (PlacedPart const& part : moved) {
         auto why = checkPlacement(level_, parts_, others, part.placement);
+        if (!why) {
+            why = whyItSticksOut(level_, parts_, part.placement);
+        }
         if (!why) {
             why = whyItDoesNotFit(world(), parts_, part.placement, ignored);
         }

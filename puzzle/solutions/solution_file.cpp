@@ -7,26 +7,13 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
+#include <optional>
 #include <stdexcept>
 
 namespace trembler {
 
-Solution findOrLoadSolution(Registry const& registry, LevelFile const& level, std::string const& nameOrFile) {
-    if (Solution const* const known = level.findSolution(nameOrFile)) {
-        return *known;
-    }
-    std::error_code error;
-    if (!std::filesystem::exists(nameOrFile, error)) {
-        std::string names;
-        for (Solution const& solution : level.solutions) {
-            names += (names.empty() ? "'" : ", '") + solution.name + "'";
-        }
-        throw std::invalid_argument(
-            fmt::format("there is neither a file nor a recorded solution '{}'; the level's solutions are: {}",
-                        nameOrFile, names.empty() ? "none" : names));
-    }
-    auto const document = JsonDocument::load(nameOrFile);
+Solution loadSolution(Registry const& registry, LevelFile const& level, std::filesystem::path const& file) {
+    auto const document = JsonDocument::load(file);
     Problems problems;
     std::optional<Solution> solution = readSolution(JsonNode(*document, document->root(), "", problems));
     problems.throwIfAny();
@@ -43,6 +30,23 @@ Solution findOrLoadSolution(Registry const& registry, LevelFile const& level, st
     }
     problems.throwIfAny();
     return *solution;
+}
+
+Solution findOrLoadSolution(Registry const& registry, LevelFile const& level, std::string const& nameOrFile) {
+    if (Solution const* const known = level.findSolution(nameOrFile)) {
+        return *known;
+    }
+    std::error_code error;
+    if (!std::filesystem::exists(nameOrFile, error)) {
+        std::string names;
+        for (Solution const& solution : level.solutions) {
+            names += (names.empty() ? "'" : ", '") + solution.name + "'";
+        }
+        throw std::invalid_argument(
+            fmt::format("there is neither a file nor a recorded solution '{}'; the level's solutions are: {}",
+                        nameOrFile, names.empty() ? "none" : names));
+    }
+    return loadSolution(registry, level, nameOrFile);
 }
 
 } // namespace trembler

@@ -4,9 +4,15 @@
 #include "runtime/level/model/level.hpp"
 #include "runtime/world/registry.hpp"
 
+#include <filesystem>
 #include <string>
 
 namespace trembler {
+
+/// The solution in a file of its own, checked against the level as far as that is possible without a world.
+/// Throws InputError if the file cannot be read or is wrong.
+[[nodiscard]] Solution loadSolution(Registry const& registry, LevelFile const& level,
+                                    std::filesystem::path const& file);
 
 /// The solution of that name in the level; else that of the file of that name, which holds one solution in
 /// the form of a level file. Throws InputError if the file is wrong; std::invalid_argument, listing the

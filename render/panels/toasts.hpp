@@ -27,6 +27,8 @@ public:
     void draw(double seconds, std::optional<Rectangle> kept = {});
 
     [[nodiscard]] std::size_t count() const { return toasts_.size(); }
+    /// The text of the newest one that is shown; "" if there is none.
+    [[nodiscard]] std::string newest() const { return toasts_.empty() ? std::string() : toasts_.back().text; }
     /// How many of trouble there have been.
     [[nodiscard]] std::uint64_t troubles() const { return troubles_; }
 

@@ -80,16 +80,22 @@ Pose SceneView::poseOf(World const& world, ObjectId id, double alpha) const {
 void SceneView::draw(Canvas& canvas, World const& world, SceneOptions const& options) const {
     FactsReader const reader(world);
     PoseOf const place = [&](Facts const& facts) { return poses_.of(facts, options.alpha); };
+    auto const hide = [&](std::vector<Link>& some) {
+        std::erase_if(some, [&](Link const& link) {
+            return isOneOf(options.alsoHidden, link.a) || isOneOf(options.alsoHidden, link.b);
+        });
+    };
     std::vector<Link> links = linksOf(world);
-    std::erase_if(links, [&](Link const& link) {
-        return isOneOf(options.alsoHidden, link.a) || isOneOf(options.alsoHidden, link.b);
-    });
+    hide(links);
     drawGround(canvas, options);
     canvas.newSheet();
     drawObjects(canvas, reader, place, options);
     canvas.newSheet();
     drawJoints(canvas, world, reader, place, options.alsoHidden);
-    drawWires(canvas, reader, links, place, options.time);
+    std::vector<Link> wires = links;
+    addGeneratorLines(world, wires);
+    hide(wires);
+    drawWires(canvas, reader, wires, place, options.time);
     canvas.newSheet();
     drawOverlays(canvas, world, reader, links, place, options.overlays);
     drawRipples(canvas, options.ripples);

@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <iterator>
+#include <string>
 
 namespace trembler::render {
 
 void InputEvents::poll() {
     events_.clear();
     typed_.clear();
+    dropped_.clear();
     for (auto& button : buttons_) {
         button.pressed = button.released = button.twice = false;
     }
@@ -18,6 +20,9 @@ void InputEvents::poll() {
     quitAsked_ = false;
     SDL_Event event;
     while (SDL_PollEvent(&event) != 0) {
+        if (event.type == SDL_DROPFILE || event.type == SDL_DROPTEXT) {
+            takeDrop(event.drop);
+        }
         events_.push_back(event);
         take(event);
         if (pads_ != nullptr) {
@@ -74,6 +79,16 @@ void InputEvents::take(SDL_Event const& event) {
     default:
         break;
     }
+}
+
+/// The text belongs to whoever takes the event; later readers of the event get none.
+void InputEvents::takeDrop(SDL_DropEvent& event) {
+    if (event.type == SDL_DROPFILE && event.file != nullptr) {
+        std::string const name(event.file);
+        dropped_.emplace_back(std::u8string(name.begin(), name.end()));
+    }
+    SDL_free(event.file);
+    event.file = nullptr;
 }
 
 void InputEvents::moveTo(int x, int y) {

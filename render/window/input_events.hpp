@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstddef>
+#include <filesystem>
 #include <span>
 #include <vector>
 
@@ -58,6 +59,9 @@ public:
     /// KMOD_... bits of the last key event.
     [[nodiscard]] unsigned modifiers() const { return modifiers_; }
 
+    /// Files that the player dropped onto the window in this frame, in order.
+    [[nodiscard]] std::span<std::filesystem::path const> dropped() const { return dropped_; }
+
     /// The player closed the window or the desktop asks the program to end; stays true.
     [[nodiscard]] bool quit() const { return quit_; }
     /// The same, in this frame only.
@@ -75,12 +79,14 @@ private:
     void take(SDL_Event const& event);
     void takeButton(SDL_MouseButtonEvent const& event);
     void takeWindow(SDL_WindowEvent const& event);
+    void takeDrop(SDL_DropEvent& event);
     void moveTo(int x, int y);
 
     Window const& window_;
     Gamepads* pads_ = nullptr;
     std::vector<SDL_Event> events_;
     std::vector<SDL_Event> typed_;
+    std::vector<std::filesystem::path> dropped_;
     std::vector<SDL_Keycode> heldKeys_;
     std::array<Button, 3> buttons_{};
     Point mouse_;

@@ -97,6 +97,16 @@ void pushText(Window const& window, std::string_view text) {
     }
 }
 
+void pushDrop(Window const& window, std::filesystem::path const& file) {
+    SDL_Event event{};
+    event.type = SDL_DROPFILE;
+    event.drop.timestamp = SDL_GetTicks();
+    event.drop.windowID = SDL_GetWindowID(window.handle());
+    auto const name = file.u8string();
+    event.drop.file = SDL_strdup(reinterpret_cast<char const*>(name.c_str())); // whoever takes it frees it
+    push(event);
+}
+
 void pushQuit() {
     SDL_Event event{};
     event.type = SDL_QUIT;

@@ -4,6 +4,7 @@
 #include "render/draw/geometry.hpp"
 #include "render/window/input_events.hpp"
 
+#include <filesystem>
 #include <string_view>
 
 namespace trembler::render {
@@ -20,6 +21,8 @@ void pushWheel(Window const& window, int notches);
 void pushKey(Window const& window, SDL_Keycode key, bool down, unsigned modifiers = KMOD_NONE);
 /// UTF-8, as typed into a text field.
 void pushText(Window const& window, std::string_view text);
+/// A file that is dropped onto the window.
+void pushDrop(Window const& window, std::filesystem::path const& file);
 void pushQuit();
 
 } // namespace trembler::render

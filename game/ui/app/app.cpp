@@ -1,6 +1,7 @@
 #include "game/ui/app/app.hpp"
 
 #include "game/ui/app/command_lists.hpp"
+#include "game/ui/app/dropped_file.hpp"
 #include "game/ui/app/title_screen.hpp"
 #include "game/ui/edit/edit_screen.hpp"
 #include "game/ui/play/play_screen.hpp"
@@ -181,7 +182,28 @@ void GameApp::follow(ScreenRequest const& asked) {
     std::visit(Follower{*this}, asked);
 }
 
+void GameApp::takeDropped(std::filesystem::path const& file) {
+    DroppedFile const dropped = lookAtDropped(file);
+    if (dropped.kind == DroppedFile::Kind::level) {
+        follow(request::OpenLevel{file});
+        return;
+    }
+    std::string why = dropped.why;
+    if (dropped.kind == DroppedFile::Kind::solution) {
+        SolutionShelf* const shelf = screen_->shelf();
+        why = shelf != nullptr ? shelf->receive(file) : text("solutions.no_level");
+    }
+    if (why.empty()) {
+        menu_.close();
+    } else {
+        context_.toasts.add(why, render::ToastKind::Trouble, 10);
+    }
+}
+
 void GameApp::update(double seconds) {
+    for (std::filesystem::path const& file : context_.input.dropped()) {
+        takeDropped(file);
+    }
     std::optional<ScreenRequest> asked;
     if (menu_.isOpen()) {
         screen_->updateBehindMenu(seconds);

@@ -72,6 +72,8 @@ private:
     void follow(ScreenRequest const& request);
     void tryOpen(std::filesystem::path const& level);
     void openFreePlay();
+    /// Opens a level that was dropped onto the window, or a solution of the present one; else says why not.
+    void takeDropped(std::filesystem::path const& file);
     /// Whether the present picture shows something that moves or is new.
     [[nodiscard]] bool lively() const;
     void takeKinds();

@@ -184,7 +184,7 @@ void Menu::drawCommands(UiContext& context, Screen& behind) {
 
 std::optional<ScreenRequest> Menu::draw(UiContext& context, Screen& behind) {
     bool const padBack = context.input.keyPressed(padKey(SDL_CONTROLLER_BUTTON_B)) && !keys_.waiting();
-    if (padBack || (context.input.keyPressed(SDLK_ESCAPE) && !keys_.cancel() && !solutions_.cancel())) {
+    if ((padBack || (context.input.keyPressed(SDLK_ESCAPE) && !keys_.cancel())) && !solutions_.cancel()) {
         back();
         return {};
     }
@@ -194,13 +194,16 @@ std::optional<ScreenRequest> Menu::draw(UiContext& context, Screen& behind) {
                std::find(chords.begin(), chords.end(), chordOf(event.key.keysym)) != chords.end();
     };
     auto const pressed = context.input.events();
-    if (!keys_.waiting() && !solutions_.typing() && std::any_of(pressed.begin(), pressed.end(), wanted)) {
+    if (!keys_.waiting() && !solutions_.typing() && !solutions_.browsing() &&
+        std::any_of(pressed.begin(), pressed.end(), wanted)) {
         return request::SwitchFullscreen{}; // the one command that a menu has, too
     }
     drawVeil();
     auto const events =
         keys_.waiting() || solutions_.typing() ? std::span<SDL_Event const>() : context.input.events();
-    context.focus.begin(pageName(page()), events, context.input.mouseMoved() != Point{});
+    if (page() != MenuPage::solutions || !solutions_.browsing()) { // the list of files is a page of its own
+        context.focus.begin(pageName(page()), events, context.input.mouseMoved() != Point{});
+    }
     context.pictures.forgetWaiting();
     MenuPage const shown = page();
     auto asked = drawPage(context, behind);

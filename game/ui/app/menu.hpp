@@ -29,6 +29,7 @@ public:
     [[nodiscard]] bool isOpen() const { return !pages_.empty(); }
     [[nodiscard]] MenuPage page() const { return pages_.empty() ? MenuPage::closed : pages_.back(); }
     [[nodiscard]] KeysPage const& keysPage() const { return keys_; }
+    [[nodiscard]] SolutionsPage const& solutionsPage() const { return solutions_; }
     /// Goes one page back: from the settings to the menu, from the menu to the game.
     void back();
 

@@ -1,6 +1,7 @@
 #include "game/ui/app/solutions_page.hpp"
 
 #include "game/ui/shared/texts.hpp"
+#include "game/ui/shared/user_folders.hpp"
 #include "render/draw/palette.hpp"
 #include "render/panels/buttons.hpp"
 #include "render/panels/theme.hpp"
@@ -37,12 +38,25 @@ void SolutionsPage::open(LoadableSolutions& loadable) {
     loadable.refresh();
     renamed_.reset();
     asked_.reset();
+    browser_.close();
 }
 
 bool SolutionsPage::cancel() {
-    bool const was = typing();
+    bool const was = typing() || browsing();
     renamed_.reset();
+    browser_.close();
     return was;
+}
+
+SolutionsPage::Choice SolutionsPage::drawBrowser(UiContext& context, LoadableSolutions& loadable) {
+    auto const file = browser_.draw(context);
+    if (!file) {
+        return Choice::stay;
+    }
+    folder_ = browser_.folder();
+    std::string const why = loadable.receive(*file);
+    tell(context, why);
+    return why.empty() ? Choice::loaded : Choice::stay;
 }
 
 void SolutionsPage::startRenaming(LoadableSolutions const& loadable, std::size_t index) {
@@ -132,6 +146,9 @@ std::string noSolutionsYet(KeyBindings const& keys) {
 }
 
 SolutionsPage::Choice SolutionsPage::draw(UiContext& context, LoadableSolutions& loadable) {
+    if (browsing()) {
+        return drawBrowser(context, loadable);
+    }
     Choice choice = Choice::stay;
     ImVec2 const screen = ImGui::GetIO().DisplaySize;
     float const width = std::min(screen.x / theme().scale - 32, solutionsWidth);
@@ -139,9 +156,9 @@ SolutionsPage::Choice SolutionsPage::draw(UiContext& context, LoadableSolutions&
                              {.anchor = Anchor::Middle, .width = width});
     caption(loadable.items().empty() ? noSolutionsYet(context.keys).c_str() : text("solutions.about"));
     float const row = ImGui::GetFrameHeightWithSpacing();
-    float const wanted = row * static_cast<float>(loadable.items().size());
-    float const room = std::max(screen.y - scaled(280), row);
-    bool const scrolls = wanted > room;
+    float const height = row * static_cast<float>(loadable.items().size());
+    float const room = std::max(screen.y - scaled(310), row);
+    bool const scrolls = height > room;
     if (scrolls) {
         ImGui::PushStyleColor(ImGuiCol_ChildBg, ImVec4(0, 0, 0, 0));
         ImGui::BeginChild("rows", {0, room});
@@ -153,7 +170,17 @@ SolutionsPage::Choice SolutionsPage::draw(UiContext& context, LoadableSolutions&
         ImGui::EndChild();
         ImGui::PopStyleColor();
     }
-    ImGui::Dummy({0, scaled(4)});
+    ImGui::Dummy({0, scaled(2)});
+    smallCaption(text("solutions.drop"));
+    ImGui::Dummy({0, scaled(2)});
+    bool const wanted = bigButton(text("solutions.open"), {.icon = Icon::List, .width = 200});
+    context.layout.item("open solution");
+    if (context.focus.item() || wanted) {
+        browser_.begin(FileBrowser::Purpose::openSolution,
+                       folder_.empty() ? usualDownloadsFolder() : folder_);
+        asked_.reset();
+    }
+    ImGui::SameLine(0, scaled(8));
     bool const back = bigButton(text("menu.back"), {.icon = Icon::Back, .width = 200});
     context.layout.item("Back");
     if (context.focus.item() || back) {

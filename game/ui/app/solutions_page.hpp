@@ -1,12 +1,14 @@
-// The page of a level's solutions: load, rename, delete.
+// The page of a level's solutions: load, rename, delete, open a file that somebody sent.
 #pragma once
 
 #include "game/ui/commands/key_bindings.hpp"
+#include "game/ui/edit/files/file_browser.hpp"
 #include "game/ui/play/keeping/loadable_solutions.hpp"
 #include "game/ui/shared/ui_context.hpp"
 
 #include <array>
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 
@@ -23,14 +25,21 @@ public:
     Choice draw(UiContext& context, LoadableSolutions& loadable);
     /// A name is being typed: keys have no other meaning.
     [[nodiscard]] bool typing() const { return renamed_.has_value(); }
-    /// Ends the typing without a change. False if nothing is being typed.
+    /// A file is being chosen: the page itself is not shown.
+    [[nodiscard]] bool browsing() const { return browser_.isOpen(); }
+    /// The folder whose files are shown while one is chosen.
+    [[nodiscard]] std::filesystem::path const& browsed() const { return browser_.folder(); }
+    /// Ends the typing, or the choice of a file, without a change. False if there is neither.
     bool cancel();
 
 private:
     void startRenaming(LoadableSolutions const& loadable, std::size_t index);
     Choice drawRow(UiContext& context, LoadableSolutions& loadable, std::size_t index);
     void drawName(UiContext& context, LoadableSolutions& loadable, std::size_t index);
+    Choice drawBrowser(UiContext& context, LoadableSolutions& loadable);
 
+    FileBrowser browser_;
+    std::filesystem::path folder_;       // of the file that was opened last; empty: none was
     std::optional<std::size_t> renamed_; // the row whose name is being typed
     std::optional<std::size_t> asked_;   // the row that is to be deleted, if the player says so again
     bool focuses_ = false;               // the text field gets the keys in the next picture

@@ -144,7 +144,7 @@ std::optional<std::string> drawGoalCard(Layout& layout, Session const& session, 
         caption(words::noGoal);
     } else {
         if (!look.brief) {
-            smallHeading(look.task ? text("goal.task") : words::goal);
+            smallHeading(look.task ? text("goal.task") : lines.size() > 1 ? words::goals : words::goal);
         }
         if (look.why && buttons != nullptr) {
             auto const line = drawAskedLines(layout, lines, *buttons);

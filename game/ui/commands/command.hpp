@@ -26,6 +26,8 @@ enum class PadPhase : std::uint8_t {
     /// While the past is looked at. A button that then means no available command of this phase means one of
     /// `building` that is available, or else that of `running`.
     past,
+    /// While the arrow keys and the directional pad move the view.
+    view,
 };
 
 /// The section of the page of keys in which a command is listed.

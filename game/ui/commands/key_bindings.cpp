@@ -42,6 +42,8 @@ int padRank(CommandSet const& commands, std::size_t index) {
         return commands.available(index) ? 2 : -1;
     case PadPhase::building:
         return commands.available(index) ? 1 : -1;
+    case PadPhase::view:
+        return -1;
     default:
         return 0;
     }

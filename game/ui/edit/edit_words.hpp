@@ -34,6 +34,7 @@ inline char const* const& menuView = editWord("View");
 
 // Files.
 inline char const* const& openTitle = editWord("Open a level");
+inline char const* const& openSolutionTitle = editWord("Open a solution");
 inline char const* const& saveAsTitle = editWord("Save the level as");
 inline char const* const& fileName = editWord("Name");
 inline char const* const& openFile = editWord("Open");

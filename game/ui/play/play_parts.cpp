@@ -144,6 +144,9 @@ void PlayParts::lookAt(std::uint64_t frame) {
 }
 
 PadPhase PlayParts::phase() const {
+    if (movesView) {
+        return PadPhase::view;
+    }
     if (session.mode() == SessionMode::building) {
         return PadPhase::building;
     }

@@ -96,7 +96,8 @@ struct PlayParts {
     FieldMouse mouse;
     std::unique_ptr<LiveMods> liveMods; ///< nullptr: the level names no mods
     ModsPanel modsPanel;
-    AskedTwice allBack; ///< whether all parts are to be put back
+    bool movesView = false; ///< arrow keys and the directional pad move the view
+    AskedTwice allBack;     ///< whether all parts are to be put back
     Shown shown;
     std::size_t hintsShown = 0;
     Pointer pointer;                      ///< of this picture

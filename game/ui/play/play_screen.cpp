@@ -69,8 +69,7 @@ std::optional<ScreenRequest> PlayScreen::update(double seconds) {
                                            parts_.hand.busy() || parts_.secondHand.busy());
     bool const cardKeys = parts_.whatIfTool->cardHasKeys();
     passKeysToCard(cardKeys);
-    parts_.keyPointer.holdDirection(cardKeys ? Vec2{} : padDirection(context.input), seconds,
-                                    context.shiftHeld(), mouse, parts_.camera());
+    holdDirection(cardKeys ? Vec2{} : padDirection(context.input), seconds, mouse);
     parts_.pointer = parts_.keyPointer.instead(mouse, parts_.camera(),
                                                !cardKeys && isHeld(context.input, context.keys, "act"));
     parts_.allBack.pass(seconds);
@@ -90,7 +89,7 @@ std::optional<ScreenRequest> PlayScreen::update(double seconds) {
         tellOfRefused(carryOutKeys(context.input.events(), context.keys, commands_));
     }
     auto const handle = parts_.handle();
-    bool const second = isHeld(context.input, context.keys, "second-hand");
+    bool const second = !parts_.movesView && isHeld(context.input, context.keys, "second-hand");
     FieldMouse::Surroundings const around{handle ? std::optional(handle->at) : std::nullopt,
                                           parts_.run.watching(), parts_.timeline.looksBack(),
                                           parts_.whatIfTool->update(parts_.pointer, second), second};
@@ -123,6 +122,20 @@ std::optional<ScreenRequest> PlayScreen::update(double seconds) {
                          .troubles = context.toasts.troubles(),
                          .world = &parts_.session.world()});
     return parts_.request;
+}
+
+void PlayScreen::holdDirection(Vec2 direction, double seconds, Pointer const& mouse) {
+    UiContext& context = parts_.context;
+    if (!parts_.movesView) {
+        parts_.keyPointer.holdDirection(direction, seconds, context.shiftHeld(), mouse, parts_.camera());
+        return;
+    }
+    constexpr double windowsPerSecond = 0.6; // after the step that the key's own event makes
+    viewHeld_ = lengthSquared(direction) > 0 ? viewHeld_ + std::clamp(seconds, 0.0, 0.25) : 0;
+    if (viewHeld_ > 0.3) {
+        Vec2 const shares = direction * (windowsPerSecond * std::clamp(seconds, 0.0, 0.25));
+        parts_.view.look({shares.x, shares.y});
+    }
 }
 
 void PlayScreen::handleKeysBesideCard() {

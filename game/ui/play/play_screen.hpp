@@ -66,6 +66,8 @@ public:
 
 private:
     void useSecondPlayer(double seconds);
+    /// The held direction of a gamepad moves the pointer or the view on.
+    void holdDirection(Vec2 direction, double seconds, Pointer const& mouse);
     /// While the card of a what-if has the keyboard.
     void handleKeysBesideCard();
     /// Of a key that means nothing now: `command`, or none.
@@ -79,6 +81,7 @@ private:
     FittedView fittedView_;
     bool fastRefused_ = false;     // the key for fast motion is held while building
     bool dropDownWasOpen_ = false; // on that card, in the last picture
+    double viewHeld_ = 0;          // s, for which a direction that moves the view has been held
     double sinceStep_ = 0;         // s, of the world
     double toldOfSlownessAt_ = 0;  // the last such speed
 };

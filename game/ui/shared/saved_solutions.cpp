@@ -64,6 +64,20 @@ fs::path SavedSolutions::save(std::string const& levelId, Solution const& soluti
     }
 }
 
+fs::path SavedSolutions::keep(std::string const& levelId, Solution const& solution) const {
+    nlohmann::json const content = writeSolution(solution);
+    for (SavedSolution const& saved : of(levelId)) {
+        try {
+            if (JsonDocument::load(saved.file)->root() == content) {
+                return saved.file;
+            }
+        } catch (InputError const&) {
+            continue; // it was removed meanwhile
+        }
+    }
+    return save(levelId, solution);
+}
+
 void SavedSolutions::rename(SavedSolution const& saved, std::string const& name) {
     auto content = nlohmann::ordered_json::parse(JsonDocument::load(saved.file)->text());
     content["name"] = name;

@@ -26,6 +26,9 @@ public:
     [[nodiscard]] std::vector<SavedSolution> of(std::string const& levelId) const;
     /// Writes a new file and returns its path. Throws OutputError.
     [[nodiscard]] std::filesystem::path save(std::string const& levelId, Solution const& solution) const;
+    /// The same, unless one of the level's files says the same already: then nothing is written, and its path
+    /// is returned.
+    [[nodiscard]] std::filesystem::path keep(std::string const& levelId, Solution const& solution) const;
     /// Gives a solution another name; its file keeps its own. Throws OutputError, or InputError if the file
     /// can no longer be read.
     static void rename(SavedSolution const& saved, std::string const& name);

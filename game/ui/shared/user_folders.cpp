@@ -15,10 +15,19 @@ fs::path fromEnvironment(char const* name) {
     return value == nullptr ? fs::path() : fs::path(value);
 }
 
+/// As the desktop states it; empty if it states none.
+fs::path statedFolder(std::string_view name, fs::path const& home) {
+    fs::path config = fromEnvironment("XDG_CONFIG_HOME");
+    config = config.is_absolute() ? config : home / ".config";
+    std::ifstream in(config / "user-dirs.dirs");
+    std::string const text(std::istreambuf_iterator<char>(in), {});
+    return userFolderIn(text, name, home);
+}
+
 } // namespace
 
-fs::path picturesFolderIn(std::string_view text, fs::path const& home) {
-    constexpr std::string_view key = "XDG_PICTURES_DIR=\"";
+fs::path userFolderIn(std::string_view text, std::string_view name, fs::path const& home) {
+    std::string const key = std::string(name) + "=\"";
     std::size_t at = text.find(key);
     while (at != std::string_view::npos && at > 0 && text[at - 1] != '\n') { // in a comment
         at = text.find(key, at + 1);
@@ -42,12 +51,19 @@ fs::path usualPicturesFolder() {
     if (!home.is_absolute()) {
         return ".";
     }
-    fs::path config = fromEnvironment("XDG_CONFIG_HOME");
-    config = config.is_absolute() ? config : home / ".config";
-    std::ifstream in(config / "user-dirs.dirs");
-    std::string const text(std::istreambuf_iterator<char>(in), {});
-    fs::path const stated = picturesFolderIn(text, home);
+    fs::path const stated = statedFolder("XDG_PICTURES_DIR", home);
     return (stated.empty() ? home / "Pictures" : stated) / "Trembler";
+}
+
+fs::path usualDownloadsFolder() {
+    fs::path const home = fromEnvironment("HOME");
+    if (!home.is_absolute()) {
+        return ".";
+    }
+    fs::path const stated = statedFolder("XDG_DOWNLOAD_DIR", home);
+    fs::path const folder = stated.empty() ? home / "Downloads" : stated;
+    std::error_code unknown;
+    return fs::is_directory(folder, unknown) ? folder : home;
 }
 
 } // namespace trembler::ui

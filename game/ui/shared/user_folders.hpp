@@ -11,9 +11,13 @@ namespace trembler::ui {
 /// need not exist.
 [[nodiscard]] std::filesystem::path usualPicturesFolder();
 
-/// The folder that the text of a user-dirs.dirs states for pictures; empty if it states none, or the home
-/// itself.
-[[nodiscard]] std::filesystem::path picturesFolderIn(std::string_view text,
-                                                     std::filesystem::path const& home);
+/// Where files that others send usually arrive: as the desktop states it (XDG_DOWNLOAD_DIR), else
+/// ~/Downloads; the home if there is no such folder, and without a home the current folder.
+[[nodiscard]] std::filesystem::path usualDownloadsFolder();
+
+/// The folder that the text of a user-dirs.dirs states under that name, such as "XDG_PICTURES_DIR"; empty if
+/// it states none, or the home itself.
+[[nodiscard]] std::filesystem::path userFolderIn(std::string_view text, std::string_view name,
+                                                 std::filesystem::path const& home);
 
 } // namespace trembler::ui

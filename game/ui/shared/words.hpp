@@ -45,6 +45,7 @@ inline char const* const& wireFromHere = said("Drag the wire to another conducto
 
 // Goal, hints, success.
 inline char const* const& goal = said("Goal");
+inline char const* const& goals = said("Goals"); ///< several
 inline char const* const& noGoal = said("There is nothing to reach here. Try things out.");
 inline constexpr Phrase hint = "Hint";
 inline char const* const& nextHint = said("Another hint");

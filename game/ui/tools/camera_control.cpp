@@ -67,6 +67,16 @@ void CameraControl::zoom(render::Point at, double notches) {
     moved_ = true;
 }
 
+void CameraControl::look(render::Point shares) {
+    camera_.pan({-shares.x * camera_.viewport.width, shares.y * camera_.viewport.height});
+    moved_ = true;
+}
+
+render::Point CameraControl::middle() const {
+    return {0.5 * (margins_.left + camera_.viewport.width - margins_.right),
+            0.5 * (margins_.top + camera_.viewport.height - margins_.bottom)};
+}
+
 void CameraControl::drag(render::Point pixels) {
     if (panning_ && (pixels.x != 0 || pixels.y != 0)) {
         camera_.pan(pixels);

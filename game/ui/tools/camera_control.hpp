@@ -34,6 +34,11 @@ public:
     /// Keeps what is shown when the window or the subject changes, as if the player had moved the view.
     void stay() { moved_ = true; }
     void zoom(render::Point at, double notches);
+    /// Moves the view by shares of the window: {0.1, 0} looks a tenth of its width further to the right, y is
+    /// up.
+    void look(render::Point shares);
+    /// The middle of what the margins leave, pixels.
+    [[nodiscard]] render::Point middle() const;
     void startPan() { panning_ = true; }
     void stopPan() { panning_ = false; }
     /// Pans with the mouse while the button is held.

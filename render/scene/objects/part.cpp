@@ -1,11 +1,13 @@
 #include "render/scene/objects/part.hpp"
 
+#include "render/draw/path.hpp"
 #include "render/scene/facts/pick.hpp"
 #include "render/scene/objects/joint_parts.hpp"
 #include "render/scene/objects/wires.hpp"
 #include "runtime/level/build/part_expander.hpp"
 #include "runtime/level/build/placed_pieces.hpp"
 
+#include <algorithm>
 #include <map>
 #include <optional>
 #include <set>
@@ -13,6 +15,15 @@
 
 namespace trembler::render {
 namespace {
+
+/// A cable between two pieces, each by its place in ExpandedPart::properties_.
+struct PartCable {
+    std::size_t a = 0;
+    std::size_t b = 0;
+    double length = 0; ///< m, if a rope between the two bounds it; else 0
+};
+
+constexpr double leastWidthOnTile = 0.05; // of a cable, as a share of the part's width
 
 // What a placement becomes, with the names of pieces and joints.
 class ExpandedPart {
@@ -47,28 +58,32 @@ public:
         putInDrawOrder(all);
         return all;
     }
-    /// The cables between pieces that are seen, each by two places in properties_.
-    [[nodiscard]] std::vector<std::pair<std::size_t, std::size_t>> cables() const {
-        std::set<std::pair<std::size_t, std::size_t>> inside; // both orders
+    /// The cables between pieces that are seen.
+    [[nodiscard]] std::vector<PartCable> cables() const {
+        std::set<std::pair<std::size_t, std::size_t>> inside;            // both orders
+        std::map<std::pair<std::size_t, std::size_t>, double> lengthsOf; // both orders, m
         for (std::size_t i = 0; i < properties_.size(); ++i) {
             Joint const* const joint = properties_[i].find<Joint>();
-            if (joint == nullptr || !hidesWires(*joint)) {
+            if (joint == nullptr) {
                 continue;
             }
             auto const a = place(i, joint->a);
             auto const b = place(i, joint->b);
-            if (a && b) {
+            if (a && b && hidesWires(*joint)) {
                 inside.insert({*a, *b});
                 inside.insert({*b, *a});
+            } else if (a && b && joint->form == JointForm::rope) {
+                lengthsOf[{*a, *b}] = lengthsOf[{*b, *a}] = joint->length;
             }
         }
-        std::vector<std::pair<std::size_t, std::size_t>> all;
+        std::vector<PartCable> all;
         for (MadeConnection const& made : expanded_.connections) {
             auto const a = byName_.find(made.connection.a);
             auto const b = byName_.find(made.connection.b);
             if (a != byName_.end() && b != byName_.end() && !inside.contains({a->second, b->second}) &&
                 facts(a->second).visible() && facts(b->second).visible()) {
-                all.emplace_back(a->second, b->second);
+                auto const bound = lengthsOf.find({a->second, b->second});
+                all.push_back({a->second, b->second, bound == lengthsOf.end() ? 0 : bound->second});
             }
         }
         return all;
@@ -121,6 +136,35 @@ private:
     std::map<std::string, std::size_t> byName_;
 };
 
+/// Everything but the cables.
+void drawPieces(Canvas& canvas, ExpandedPart const& part, Marks const& marks) {
+    for (Facts const& facts : part.pieces()) {
+        drawObject(canvas, facts, poseOf(facts), marks);
+    }
+    part.drawJoints(canvas);
+}
+
+std::vector<Point> pathOf(ExpandedPart const& part, PartCable const& cable, bool onTile) {
+    Facts const a = part.facts(cable.a);
+    Facts const b = part.facts(cable.b);
+    std::vector<Point> const path = cablePath(a, poseOf(a), b, poseOf(b));
+    return onTile && cable.length > pathLength(path) ? loopedCable(path.front(), path.back(), cable.length)
+                                                     : path;
+}
+
+Extent extentWith(ExpandedPart const& part, bool onTile) {
+    Extent around;
+    for (Facts const& facts : part.pieces()) {
+        around.add(pictureExtentOf(facts, poseOf(facts)));
+    }
+    for (PartCable const& cable : part.cables()) {
+        for (Point const point : pathOf(part, cable, onTile)) {
+            around.add(point);
+        }
+    }
+    return around;
+}
+
 } // namespace
 
 void drawPart(Canvas& canvas, PartLibrary const& library, Placement const& placement, Marks const& marks) {
@@ -128,33 +172,35 @@ void drawPart(Canvas& canvas, PartLibrary const& library, Placement const& place
         return;
     }
     ExpandedPart const part(library, placement);
-    for (Facts const& facts : part.pieces()) {
-        drawObject(canvas, facts, poseOf(facts), marks);
-    }
-    part.drawJoints(canvas);
-    for (auto const& [i, j] : part.cables()) {
-        Facts const a = part.facts(i);
-        Facts const b = part.facts(j);
+    drawPieces(canvas, part, marks);
+    for (PartCable const& cable : part.cables()) {
+        Facts const a = part.facts(cable.a);
+        Facts const b = part.facts(cable.b);
         drawCable(canvas, a, poseOf(a), b, poseOf(b));
     }
 }
 
 Extent extentOfPart(PartLibrary const& library, Placement const& placement) {
-    Extent around;
-    if (library.find(placement.part) != nullptr) {
-        ExpandedPart const part(library, placement);
-        for (Facts const& facts : part.pieces()) {
-            around.add(pictureExtentOf(facts, poseOf(facts)));
-        }
-        for (auto const& [i, j] : part.cables()) {
-            Facts const a = part.facts(i);
-            Facts const b = part.facts(j);
-            for (Point const point : cablePath(a, poseOf(a), b, poseOf(b))) {
-                around.add(point);
-            }
-        }
+    return library.find(placement.part) == nullptr ? Extent{}
+                                                   : extentWith(ExpandedPart(library, placement), false);
+}
+
+void drawPartOnTile(Canvas& canvas, PartLibrary const& library, Placement const& placement) {
+    if (library.find(placement.part) == nullptr) {
+        return;
     }
-    return around;
+    ExpandedPart const part(library, placement);
+    double const least = leastWidthOnTile * 2 * extentWith(part, true).half().x;
+    for (PartCable const& cable : part.cables()) { // the ends lie on the cable
+        drawCableAlong(canvas, pathOf(part, cable, true), part.facts(cable.a), part.facts(cable.b),
+                       std::max(cableWidth, cable.length > 0 ? least : 0));
+    }
+    drawPieces(canvas, part, {});
+}
+
+Extent extentOnTile(PartLibrary const& library, Placement const& placement) {
+    return library.find(placement.part) == nullptr ? Extent{}
+                                                   : extentWith(ExpandedPart(library, placement), true);
 }
 
 } // namespace trembler::render

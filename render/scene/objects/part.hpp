@@ -14,8 +14,12 @@ namespace trembler::render {
 void drawPart(Canvas& canvas, PartLibrary const& library, Placement const& placement,
               Marks const& marks = {});
 
-/// The rectangle around all of its bodies, drawings and cables, for the toolbox' picture; empty if there is
-/// nothing to see.
+/// The rectangle around all of its bodies, drawings and cables; empty if there is nothing to see.
 [[nodiscard]] Extent extentOfPart(PartLibrary const& library, Placement const& placement);
+
+/// The same for the picture on a tile of the toolbox, where a part is to be recognised by itself: a cable
+/// that a rope bounds has its whole length there and lies in a loop, and is never as thin as a hair.
+void drawPartOnTile(Canvas& canvas, PartLibrary const& library, Placement const& placement);
+[[nodiscard]] Extent extentOnTile(PartLibrary const& library, Placement const& placement);
 
 } // namespace trembler::render

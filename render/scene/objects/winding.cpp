@@ -12,6 +12,16 @@ namespace {
 constexpr Colour flangeColour = rgb(0x4A4348);
 constexpr Colour boltBrass = rgb(0xD8B25A);
 
+/// That of a box's own four directions which comes next to `axis`: a wire is wound around its sides, even if
+/// the pole lies at a corner.
+Point alongBox(ShapePiece const& box, Point axis) {
+    Point const own{std::cos(box.angle), std::sin(box.angle)};
+    Point const across{-own.y, own.x};
+    double const x = dot(axis, own);
+    double const y = dot(axis, across);
+    return std::abs(x) > std::abs(y) ? std::copysign(1.0, x) * own : std::copysign(1.0, y) * across;
+}
+
 Point axisOf(Facts const& facts, ShapePiece const& piece) {
     Point axis;
     if (facts.poles != nullptr) {
@@ -39,7 +49,7 @@ Point axisOf(Facts const& facts, ShapePiece const& piece) {
         double const turn = piece.angle + (half.x >= half.y ? 0 : 0.5 * pi);
         axis = {std::cos(turn), std::sin(turn)};
     }
-    return (1 / length(axis)) * axis;
+    return piece.form == ShapeForm::box ? alongBox(piece, axis) : (1 / length(axis)) * axis;
 }
 
 } // namespace

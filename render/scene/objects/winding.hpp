@@ -17,8 +17,8 @@ struct Winding {
     std::array<Point, 2> terminals; ///< where its wires are fastened
 };
 
-/// Around the largest piece, along the line of its poles; without poles, along its longer side. Needs a
-/// shape.
+/// Around the largest piece, along the line of its poles; without poles, along its longer side. Around a box
+/// always along one of its sides. Needs a shape.
 [[nodiscard]] Winding windingOf(Facts const& facts);
 
 /// Copper on the core, with terminals; lit, and its pole named, by the share of its strength that acts.

@@ -1,5 +1,7 @@
 #include "render/scene/objects/wires.hpp"
 
+#include "physics/dynamics/properties/shape.hpp"
+#include "physics/motor/properties.hpp"
 #include "render/draw/path.hpp"
 #include "render/scene/facts/pick.hpp"
 #include "render/scene/facts/shape_geometry.hpp"
@@ -14,7 +16,6 @@ namespace trembler::render {
 namespace {
 
 constexpr double cableSag = 0.13;      // of the distance across
-constexpr double cableWidth = 0.045;   // m
 constexpr double beadSpacing = 0.16;   // m
 constexpr double beadsPerSecond = 4.5; // how many pass a point
 
@@ -182,16 +183,58 @@ std::vector<Point> cablePath(Facts const& a, Pose const& poseA, Facts const& b, 
     return path;
 }
 
+void addGeneratorLines(World const& world, std::vector<Link>& links) {
+    auto const* const generators = world.store().findColumn<Generator>();
+    if (generators == nullptr) {
+        return;
+    }
+    for (std::size_t row = 0; row < generators->size(); ++row) {
+        ObjectId const own = generators->owners()[row];
+        ObjectId const source = generators->values()[row].source;
+        if (!world.store().alive(source) || world.find<Shape>(source) != nullptr) {
+            continue;
+        }
+        Link const made{std::min(own, source), std::max(own, source), {}};
+        auto const there = std::find_if(links.begin(), links.end(), [&](Link const& link) {
+            return link.a == made.a && link.b == made.b;
+        });
+        Link& link = there != links.end() ? *there : links.emplace_back(made);
+        link.line = true;
+    }
+}
+
+std::vector<Point> loopedCable(Point from, Point to, double length) {
+    constexpr int pieces = 40;
+    constexpr double slackForLoop = 0.6; // m
+    Point const middle = 0.5 * (from + to);
+    double const span = render::length(to - from);
+    // Handles that lie crosswise make a loop. They are as deep as the cable is long.
+    double const aside = length - span > slackForLoop ? 1.1 * length : -0.3 * span;
+    double shallow = 0;
+    double deep = 4 * length;
+    std::vector<Point> path;
+    for (int i = 0; i < 24; ++i) {
+        double const depth = 0.5 * (shallow + deep);
+        path = bezier(from, middle + Point{aside, -depth}, middle + Point{-aside, -depth}, to, pieces);
+        (pathLength(path) < length ? shallow : deep) = depth;
+    }
+    return path;
+}
+
 void drawCable(Canvas& canvas, Facts const& a, Pose const& poseA, Facts const& b, Pose const& poseB,
                CableCurrent const& current) {
-    std::vector<Point> path = cablePath(a, poseA, b, poseB);
+    drawCableAlong(canvas, cablePath(a, poseA, b, poseB), a, b, cableWidth, current);
+}
+
+void drawCableAlong(Canvas& canvas, std::vector<Point> path, Facts const& a, Facts const& b, double width,
+                    CableCurrent const& current) {
     Stroke cable{.colour = current.live ? mix(palette::deadWire, palette::live, 0.75F) : palette::deadWire,
-                 .width = cableWidth,
+                 .width = width,
                  .pixels = 2.F,
                  .outline = 1.2F,
                  .round = true,
                  .height = 0.9F};
-    if (cableWidth < canvas.metres(2)) { // seen from afar it is only a line
+    if (width < canvas.metres(2)) { // seen from afar it is only a line
         cable.outline = 0;
         cable.round = false;
         cable.height = 0;
@@ -204,7 +247,7 @@ void drawCable(Canvas& canvas, Facts const& a, Pose const& poseA, Facts const& b
         if (!current.forward) {
             std::reverse(path.begin(), path.end());
         }
-        canvas.beads(path, beadSpacing, current.time * beadsPerSecond, 0.55 * cableWidth, palette::liveCore);
+        canvas.beads(path, beadSpacing, current.time * beadsPerSecond, 0.55 * width, palette::liveCore);
         if (!current.forward) {
             std::reverse(path.begin(), path.end());
         }
@@ -219,7 +262,8 @@ void drawWires(Canvas& canvas, FactsReader const& reader, std::vector<Link> cons
     for (Link const& link : links) {
         Facts const a = reader.of(link.a);
         Facts const b = reader.of(link.b);
-        if (link.inside || link.counts.of(CallerId::level()) <= 0 || !a.visible() || !b.visible()) {
+        bool const laid = link.line || link.counts.of(CallerId::level()) > 0;
+        if (link.inside || !laid || !a.visible() || !b.visible()) {
             continue;
         }
         Pose const poseA = poseOf(a);

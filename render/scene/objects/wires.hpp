@@ -19,12 +19,16 @@ struct Link {
     CallerCounts counts; ///< for each caller that connects them
     bool live = false;   ///< current flows through it
     bool forward = true; ///< the way it flows: from a to b
+    bool line = false;   ///< is drawn although it conducts only at times, see addGeneratorLines()
     bool inside = false; ///< runs within a joint that holds both and is not drawn (look "none"), as in the
                          ///< links of a chain
 };
 
 /// All connections of a world's electricity graph, ascending by pair. Empty where there is no electricity.
 [[nodiscard]] std::vector<Link> linksOf(World const& world);
+
+/// Of a cable in the world, m.
+inline constexpr double cableWidth = 0.045;
 
 /// Answers where an object is drawn.
 using PoseOf = std::function<Pose(Facts const&)>;
@@ -45,12 +49,24 @@ struct CableCurrent {
     double time = 0;     ///< s; moves the beads
 };
 
-/// Draws one cable, from a to b, with its ends.
+/// A generator is connected to its source only while it turns. Where the source is a mere sign, which would
+/// stand alone otherwise, the line between the two is to be drawn all the time: adds it to the links, or
+/// marks the one that is there.
+void addGeneratorLines(World const& world, std::vector<Link>& links);
+
+/// How a cable of a certain length lies on a table between two places at the same height, as it is shown in
+/// the toolbox: it sags, and if there is enough of it, it makes a loop. `length` in m.
+[[nodiscard]] std::vector<Point> loopedCable(Point from, Point to, double length);
+
+/// Draws a cable along a path from a to b, with its ends; `width` in m.
+void drawCableAlong(Canvas& canvas, std::vector<Point> path, Facts const& a, Facts const& b, double width,
+                    CableCurrent const& current = {});
+/// Draws one cable, from a to b, with its ends, as it hangs in the world.
 void drawCable(Canvas& canvas, Facts const& a, Pose const& poseA, Facts const& b, Pose const& poseB,
                CableCurrent const& current = {});
 
-/// Draws every wire that the level has laid, unless it is inside a joint; connections that interactions make
-/// are not drawn. `time` in s moves the beads of current.
+/// Draws every wire that the level has laid, unless it is inside a joint, and the lines of generators; other
+/// connections that interactions make are not drawn. `time` in s moves the beads of current.
 void drawWires(Canvas& canvas, FactsReader const& reader, std::vector<Link> const& links,
                PoseOf const& poseOf, double time);
 

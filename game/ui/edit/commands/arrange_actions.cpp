@@ -198,4 +198,8 @@ void zoomBy(EditParts& parts, int notches) {
     parts.view.zoom({0.4 * size.width, 0.5 * size.height}, 2 * notches);
 }
 
+void lookBy(EditParts& parts, int right, int up) {
+    parts.view.look({0.1 * right, 0.1 * up});
+}
+
 } // namespace trembler::ui::actions

@@ -143,6 +143,12 @@ template <int notches>
 void zoom(EditParts& parts) {
     zoomBy(parts, notches);
 }
+/// Moves the view by tenths of the window.
+void lookBy(EditParts& parts, int right, int up);
+template <int right, int up>
+void look(EditParts& parts) {
+    lookBy(parts, right, up);
+}
 void switchSnap(EditParts& parts);
 void switchNames(EditParts& parts);
 void switchElectricity(EditParts& parts);

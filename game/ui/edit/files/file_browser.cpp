@@ -20,8 +20,21 @@ namespace fs = std::filesystem;
 constexpr float browserWidth = 520;
 constexpr std::size_t mostEntries = 2000;
 
+/// Levels and solutions have the same kind of names.
 bool isLevelName(std::string const& name) {
     return name.ends_with(".json") && !name.ends_with(".schema.json");
+}
+
+char const* titleFor(FileBrowser::Purpose purpose) {
+    switch (purpose) {
+    case FileBrowser::Purpose::saveAs:
+        return words::saveAsTitle;
+    case FileBrowser::Purpose::openSolution:
+        return words::openSolutionTitle;
+    case FileBrowser::Purpose::open:
+        break;
+    }
+    return words::openTitle;
 }
 
 } // namespace
@@ -90,7 +103,7 @@ std::optional<fs::path> FileBrowser::choose(std::string const& stated) {
         enter(file.lexically_normal());
         return {};
     }
-    if (purpose_ == Purpose::open) {
+    if (purpose_ != Purpose::saveAs) {
         if (!fs::exists(file, ignored)) {
             trouble_ = words::noSuchFile(stated);
             return {};
@@ -154,7 +167,7 @@ std::optional<fs::path> FileBrowser::draw(UiContext& context) {
                         context.input.mouseMoved() != Point{});
     std::optional<fs::path> chosen;
     bool const saving = purpose_ == Purpose::saveAs;
-    context.layout.beginCard("file browser", saving ? words::saveAsTitle : words::openTitle,
+    context.layout.beginCard("file browser", titleFor(purpose_),
                              {.anchor = Anchor::Middle, .width = browserWidth});
     smallCaption(folder_.string().c_str());
     drawEntries(context, chosen);

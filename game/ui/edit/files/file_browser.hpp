@@ -1,4 +1,4 @@
-// Chooses a file inside the window: folders and level files, by mouse or by keyboard.
+// Chooses a file inside the window: folders and files of levels or solutions, by mouse, keyboard or gamepad.
 #pragma once
 
 #include "game/ui/shared/ui_context.hpp"
@@ -14,7 +14,7 @@ namespace trembler::ui {
 /// Window thread only.
 class FileBrowser {
 public:
-    enum class Purpose : std::uint8_t { open, saveAs };
+    enum class Purpose : std::uint8_t { open, saveAs, openSolution };
 
     /// Shows the browser. `start` is a folder, or a file whose folder is shown and whose name is proposed.
     void begin(Purpose purpose, std::filesystem::path const& start);

@@ -62,6 +62,10 @@ void putBack(PlayParts& parts) {
 /// Moves the selected parts; if there are none, or one is in the hand, the pointer.
 template <int x, int y>
 void nudge(PlayParts& parts) {
+    if (parts.movesView) {
+        parts.view.look({x * viewStep, y * viewStep});
+        return;
+    }
     if (changesPast(parts) && !parts.whatIfTool->chosen().empty() && !parts.keyPointer.active()) {
         parts.whatIfTool->nudge({x, y}, parts.context.shiftHeld());
         return;

@@ -32,6 +32,9 @@ namespace trembler::ui {
 enum class AfterLevel : std::uint8_t { next, gallery, levels, end };
 [[nodiscard]] AfterLevel afterThis(PlayParts const& parts);
 
+/// How far one press of a key moves the view, as a share of the window.
+inline constexpr double viewStep = 0.1;
+
 /// For `available` and `on` of several commands: the level runs or is paused.
 [[nodiscard]] inline bool inARun(PlayParts const& parts) {
     return !parts.run.building();

@@ -1,4 +1,6 @@
 #include "game/ui/play/commands/command_sections.hpp"
+#include "game/ui/shared/texts.hpp"
+#include "render/window/gamepad.hpp"
 
 namespace trembler::ui {
 namespace {
@@ -26,6 +28,25 @@ void showNames(PlayParts& parts) {
     parts.context.profile.setSettings(settings);
 }
 
+template <int x, int y>
+void look(PlayParts& parts) {
+    parts.view.look({x * viewStep, y * viewStep});
+}
+
+/// At the pointer that keys move, if it is in use, so that zooming leads to it.
+template <int notches>
+void zoom(PlayParts& parts) {
+    bool const byKeys = parts.keyPointer.active();
+    parts.view.zoom(byKeys ? parts.pointer.screen : parts.view.middle(), notches);
+}
+
+void moveView(PlayParts& parts) {
+    parts.movesView = !parts.movesView;
+    if (parts.movesView) {
+        parts.context.toasts.add(text("view.moves"), render::ToastKind::News, 6);
+    }
+}
+
 constexpr Command<PlayParts> lookingTable[] = {
     {.info = {.id = "fit",
               .keys = {{{SDLK_HOME}}},
@@ -42,6 +63,68 @@ constexpr Command<PlayParts> lookingTable[] = {
                  parts.view.fit();
              }
          }},
+    {.info = {.id = "view-left",
+              .keys = {{withCtrl(SDLK_LEFT)}},
+              .use = KeyUse::repeats,
+              .group = CommandGroup::looking,
+              .name = "Look left",
+              .tip = "Move the view to the left",
+              .help = "move the view"},
+     .run = look<-1, 0>},
+    {.info = {.id = "view-right",
+              .keys = {{withCtrl(SDLK_RIGHT)}},
+              .use = KeyUse::repeats,
+              .group = CommandGroup::looking,
+              .name = "Look right",
+              .tip = "Move the view to the right",
+              .help = "move the view"},
+     .run = look<1, 0>},
+    {.info = {.id = "view-up",
+              .keys = {{withCtrl(SDLK_UP)}},
+              .use = KeyUse::repeats,
+              .group = CommandGroup::looking,
+              .name = "Look up",
+              .tip = "Move the view up",
+              .help = "move the view"},
+     .run = look<0, 1>},
+    {.info = {.id = "view-down",
+              .keys = {{withCtrl(SDLK_DOWN)}},
+              .use = KeyUse::repeats,
+              .group = CommandGroup::looking,
+              .name = "Look down",
+              .tip = "Move the view down",
+              .help = "move the view"},
+     .run = look<0, -1>},
+    {.info = {.id = "zoom-in",
+              .keys = {{withCtrl(SDLK_PLUS), withCtrl(SDLK_EQUALS)}},
+              .pad = {render::padRightTrigger},
+              .use = KeyUse::repeats,
+              .group = CommandGroup::looking,
+              .name = "Closer",
+              .tip = "Closer",
+              .help = "zoom",
+              .padPhase = PadPhase::view},
+     .run = zoom<2>},
+    {.info = {.id = "zoom-out",
+              .keys = {{withCtrl(SDLK_MINUS), withCtrl(SDLK_KP_MINUS)}},
+              .pad = {render::padLeftTrigger},
+              .use = KeyUse::repeats,
+              .group = CommandGroup::looking,
+              .name = "Farther",
+              .tip = "Farther",
+              .help = "zoom",
+              .padPhase = PadPhase::view},
+     .run = zoom<-2>},
+    {.info =
+         {.id = "move-view",
+          .icon = Icon::Fit,
+          .group = CommandGroup::looking,
+          .name = "Move the view",
+          .tip =
+              "Let the arrow keys or the directional pad move the view, and L2 and R2 zoom; Esc or B ends it",
+          .help = "arrow keys or a gamepad move the view"},
+     .run = moveView,
+     .on = [](PlayParts const& parts) { return parts.movesView; }},
     {.info = {.id = "inspect",
               .keys = {{{SDLK_i}}},
               .icon = Icon::Eye,

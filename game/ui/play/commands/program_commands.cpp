@@ -5,6 +5,8 @@
 #include "game/ui/shared/words.hpp"
 #include "render/window/gamepad.hpp"
 
+#include <utility>
+
 namespace trembler::ui {
 namespace {
 
@@ -15,9 +17,12 @@ void openMenu(PlayParts& parts) {
     parts.request = request::OpenMenu{page};
 }
 
-/// Ends one thing: the use of the scissors, the carrying or choice of parts, the inspector, the computing of
-/// a what-if, the what-if. If none of these goes on, opens the menu.
+/// Ends one thing: moving the view by keys, the use of the scissors, the carrying or choice of parts, the
+/// inspector, the computing of a what-if, the what-if. If none of these goes on, opens the menu.
 void back(PlayParts& parts) {
+    if (std::exchange(parts.movesView, false)) {
+        return;
+    }
     if (parts.whatIfTool->cardHasKeys()) {
         parts.whatIfTool->giveCardKeys(false);
     } else if (parts.hand.cutting()) {

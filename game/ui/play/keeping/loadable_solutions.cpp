@@ -1,6 +1,7 @@
 #include "game/ui/play/keeping/loadable_solutions.hpp"
 
 #include "game/ui/shared/shown_faults.hpp"
+#include "game/ui/shared/texts.hpp"
 #include "puzzle/solutions/solution_file.hpp"
 
 #include <algorithm>
@@ -64,6 +65,21 @@ std::string LoadableSolutions::load(std::size_t index) {
     } catch (std::exception const& error) {
         return shownError(error);
     }
+    return {};
+}
+
+std::string LoadableSolutions::receive(std::filesystem::path const& file) {
+    try {
+        Solution const solution = loadSolution(registry_, session_.level(), file);
+        load_(solution);
+        (void)saved_.keep(id_, solution);
+    } catch (InputError const& error) {
+        return textWith("solutions.refused", file.filename().string(),
+                        shownMessage(error.diagnostics().front()));
+    } catch (std::exception const& error) {
+        return shownError(error);
+    }
+    refresh();
     return {};
 }
 

@@ -5,6 +5,7 @@
 #include "puzzle/campaign/progress.hpp"
 #include "puzzle/session/session.hpp"
 
+#include <filesystem>
 #include <functional>
 #include <string>
 #include <vector>
@@ -29,6 +30,11 @@ public:
     /// Looks at the files and at what has been found.
     void refresh();
     [[nodiscard]] std::vector<Item> const& items() const { return items_; }
+
+    /// Places the solution in a file that somebody else may have made, and keeps a copy of it among the
+    /// player's own. Returns a sentence for the player if it is no solution of this level, or cannot be kept;
+    /// else an empty text.
+    [[nodiscard]] std::string receive(std::filesystem::path const& file);
 
     // Each returns a sentence for the player if it is not possible, else an empty text. `index` is that of
     // items().

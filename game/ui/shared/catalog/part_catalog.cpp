@@ -46,17 +46,17 @@ unsigned PartCatalog::picture(std::string const& part, int pixels) {
         made.target->bind();
         render::clearBound(render::tileGround());
         // Long parts are drawn diagonally, which fills the square best.
-        render::Extent const flat = render::extentOfPart(parts_, {part, {}, 0, ""});
+        render::Extent const flat = render::extentOnTile(parts_, {part, {}, 0, ""});
         bool const slim = !flat.empty() && std::max(flat.half().x, flat.half().y) >
                                                2.2 * std::min(flat.half().x, flat.half().y);
         Placement const lying{part, {}, slim ? 0.52 : 0.0, ""};
-        render::Extent const extent = render::extentOfPart(parts_, lying);
+        render::Extent const extent = render::extentOnTile(parts_, lying);
         render::Camera camera{{}, 100, {pixels, pixels}};
         if (!extent.empty()) {
             camera.fit(extent.lower, extent.upper, 0.10 * pixels);
         }
         canvas_.begin(camera, {.uiScale = static_cast<float>(pixels) / 80.F});
-        render::drawPart(canvas_, parts_, lying);
+        render::drawPartOnTile(canvas_, parts_, lying);
         canvas_.end();
     }
     return made.target->texture();

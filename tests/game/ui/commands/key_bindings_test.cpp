@@ -150,7 +150,7 @@ struct OneButton {
     [[nodiscard]] PadPhase phase() const { return now; }
 };
 constexpr Chord theButton{render::padKey(SDL_CONTROLLER_BUTTON_A)};
-constexpr std::array<Command<OneButton>, 3> oneButtonTable{
+constexpr std::array<Command<OneButton>, 4> oneButtonTable{
     {{.info = {.id = "go", .pad = theButton, .padPhase = PadPhase::running},
       .run = [](OneButton& screen) { screen.done = "go"; }},
      {.info = {.id = "look", .pad = theButton, .padPhase = PadPhase::past},
@@ -158,7 +158,9 @@ constexpr std::array<Command<OneButton>, 3> oneButtonTable{
       .available = [](OneButton const& screen) { return screen.mayLook; }},
      {.info = {.id = "build", .pad = theButton, .padPhase = PadPhase::building},
       .run = [](OneButton& screen) { screen.done = "build"; },
-      .available = [](OneButton const& screen) { return screen.mayBuild; }}}};
+      .available = [](OneButton const& screen) { return screen.mayBuild; }},
+     {.info = {.id = "zoom", .pad = theButton, .padPhase = PadPhase::view},
+      .run = [](OneButton& screen) { screen.done = "zoom"; }}}};
 
 // While the past is looked at a button means the best of what can be done.
 TEST(Bindings, AButtonOfAGamepadMeansWhatCanBeDoneNow) {
@@ -177,6 +179,7 @@ TEST(Bindings, AButtonOfAGamepadMeansWhatCanBeDoneNow) {
     EXPECT_EQ(pressed({.now = PadPhase::past}), "look");
     EXPECT_EQ(pressed({.now = PadPhase::past, .mayLook = false}), "build");
     EXPECT_EQ(pressed({.now = PadPhase::past, .mayLook = false, .mayBuild = false}), "go");
+    EXPECT_EQ(pressed({.now = PadPhase::view}), "zoom");
     EXPECT_EQ(pressed({.now = PadPhase::building, .mayBuild = false}), "") << "it means nothing else then";
 }
 

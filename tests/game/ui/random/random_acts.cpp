@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <string_view>
 
@@ -190,6 +191,23 @@ std::string RandomPlayer::wait() {
         frame(length);
     }
     return fmt::format("wait {} x {:.3f} s", count, length);
+}
+
+/// A level, or anything else that the program has written: a solution, a build, settings, a picture.
+std::string RandomPlayer::dropFile() {
+    std::vector<std::filesystem::path> files{anyLevel(), folder_ / "no such file.json"};
+    std::error_code none; // nothing has been written yet
+    std::filesystem::recursive_directory_iterator at(folder_ / "trembler", none);
+    for (std::filesystem::recursive_directory_iterator const end; at != end; at.increment(none)) {
+        if (at->is_regular_file(none)) {
+            files.push_back(at->path());
+        }
+    }
+    std::sort(files.begin(), files.end());
+    std::filesystem::path const file = files[below(files.size())];
+    render::pushDrop(window_, file);
+    frame();
+    return "drop " + file.filename().string();
 }
 
 std::string RandomPlayer::resize() {

@@ -115,7 +115,7 @@ std::string RandomPlayer::act() {
         Act act;
         int weight;
     };
-    static constexpr std::array<Weighed, 15> acts{{{&RandomPlayer::clickItem, 30},
+    static constexpr std::array<Weighed, 16> acts{{{&RandomPlayer::clickItem, 30},
                                                    {&RandomPlayer::clickAnywhere, 8},
                                                    {&RandomPlayer::moveAnywhere, 5},
                                                    {&RandomPlayer::pressOrRelease, 5},
@@ -126,6 +126,7 @@ std::string RandomPlayer::act() {
                                                    {&RandomPlayer::type, 6},
                                                    {&RandomPlayer::pad, 6},
                                                    {&RandomPlayer::wait, 10},
+                                                   {&RandomPlayer::dropFile, 1},
                                                    {&RandomPlayer::resize, 1},
                                                    {&RandomPlayer::windowEvent, 2},
                                                    {&RandomPlayer::close, 1},
@@ -193,6 +194,11 @@ void RandomPlayer::endFilm() {
 }
 
 void RandomPlayer::keepInside() {
+    SolutionsPage const& solutions = app_->menu().solutionsPage();
+    if (app_->menu().page() == MenuPage::solutions && solutions.browsing() &&
+        !solutions.browsed().string().starts_with(folder_.string())) {
+        app_->openMenu(MenuPage::solutions); // without the list of files
+    }
     auto* const editor = dynamic_cast<EditScreen*>(&app_->screen());
     if (editor == nullptr || !editor->parts().browser.isOpen()) {
         return;

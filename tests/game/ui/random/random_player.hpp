@@ -58,6 +58,7 @@ private:
     std::string type();
     std::string pad();
     std::string wait();
+    std::string dropFile();
     std::string resize();
     std::string windowEvent();
     std::string close();

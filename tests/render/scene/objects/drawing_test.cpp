@@ -290,6 +290,15 @@ TEST(DrawnPart, ShowsTheCablesBetweenItsPieces) {
     Image const blank = picture(sheet, palette::paper, [](Canvas&) {}, {.shadows = false});
     EXPECT_NE(at(image, 0, extent.lower.y), at(blank, 0, extent.lower.y)) << "the cable";
     EXPECT_EQ(at(image, 0, 0.3), at(blank, 0, 0.3)) << "no rope";
+    Extent const tile = extentOnTile(rope, {"cable", {}, 0, ""});
+    EXPECT_LT(tile.lower.y, extent.lower.y) << "on a tile it has its whole length";
+    EXPECT_NE(at(picture(sheet, palette::paper,
+                         [&](Canvas& canvas) {
+                             drawPartOnTile(canvas, rope, {"cable", {}, 0, ""});
+                         },
+                         {.shadows = false}),
+                 0, tile.lower.y),
+              at(blank, 0, tile.lower.y));
     // As in a world, it runs inside a joint that is not drawn and holds the pieces together.
     PartLibrary const weld =
         partWith(R"({"form": "weld", "a": "left", "b": "right", "at": [0, 0.3], "look": "none"})");

@@ -1,6 +1,7 @@
 // Cables, joints and contacts: their course and picking.
 #include "physics/dynamics/properties/joint.hpp"
 #include "physics/gravity/properties.hpp"
+#include "physics/motor/properties.hpp"
 #include "render/draw/path.hpp"
 #include "render/scene/objects/joints.hpp"
 #include "render/scene/objects/wires.hpp"
@@ -99,6 +100,39 @@ TEST(SceneWires, ACableHangsBetweenItsObjectsAndIsFoundThere) {
     Link const found = pickWire(stage.world, middle, 0.02);
     EXPECT_TRUE((found.a == a.id && found.b == b.id) || (found.a == b.id && found.b == a.id));
     EXPECT_FALSE(pickWire(stage.world, middle + Point{0.3, -0.3}, 0.02).a.valid());
+}
+
+TEST(SceneWires, OfAToolboxPictureHaveTheirWholeLengthAndMakeALoopIfTheyAreLong) {
+    Point const from{-0.5, 0.2};
+    Point const to{0.5, 0.2};
+    for (double const length : {1.05, 1.5, 1.7, 2.4}) {
+        std::vector<Point> const path = loopedCable(from, to, length);
+        EXPECT_NEAR(pathLength(path), length, 0.01);
+        EXPECT_EQ(path.front(), from);
+        EXPECT_EQ(path.back(), to);
+        bool back = false; // it runs back to the left where it makes a loop
+        for (std::size_t i = 1; i < path.size(); ++i) {
+            back = back || path[i].x < path[i - 1].x;
+            EXPECT_LE(path[i].y, 0.2 + 1e-9) << "it lies below its ends";
+        }
+        EXPECT_EQ(back, length > 1.6) << length;
+    }
+}
+
+TEST(SceneWires, OfAGeneratorLeadToItsSignAlthoughItConductsOnlyAtTimes) {
+    ExperimentStage stage;
+    Store& store = stage.world.store();
+    ObjectId const own = stage.id["object 3"];
+    auto const lineTo = [&](ObjectId source) {
+        store.column<Generator>().set(own, Generator{.source = source});
+        std::vector<Link> links = linksOf(stage.world);
+        EXPECT_EQ(find(links, own, source), nullptr);
+        addGeneratorLines(stage.world, links);
+        Link const* const made = find(links, own, source);
+        return made != nullptr && made->line && !made->live;
+    };
+    EXPECT_TRUE(lineTo(stage.id["source"])) << "a sign without a shape";
+    EXPECT_FALSE(lineTo(stage.id["object 1"])) << "a terminal with a shape of its own stays as it is";
 }
 
 TEST(SceneWires, OfWhatTurnsLeaveThroughItsAxle) {

@@ -1,0 +1,31 @@
+// Files that are dropped onto the window; the other events are tested by the screens that use them.
+#include "render/window/input_events.hpp"
+#include "render/window/synthetic_input.hpp"
+
+#include <gtest/gtest.h>
+
+namespace trembler::render::test {
+namespace {
+
+TEST(InputEvents, FilesThatAreDroppedAreThereForOneFrame) {
+    Window const window({.size = {320, 200}, .mode = WindowMode::Offscreen});
+    InputEvents input(window);
+    input.poll();
+    std::filesystem::path const first = "/tmp/one.json";
+    std::filesystem::path const second =
+        std::filesystem::path("/tmp") / std::filesystem::path(u8"Lösung.json");
+    pushDrop(window, first);
+    pushDrop(window, second);
+    input.poll();
+    ASSERT_EQ(input.dropped().size(), 2U);
+    EXPECT_EQ(input.dropped()[0], first);
+    EXPECT_EQ(input.dropped()[1], second);
+    for (SDL_Event const& event : input.events()) {
+        EXPECT_TRUE(event.type != SDL_DROPFILE || event.drop.file == nullptr) << "its text is freed";
+    }
+    input.poll();
+    EXPECT_TRUE(input.dropped().empty());
+}
+
+} // namespace
+} // namespace trembler::render::test
