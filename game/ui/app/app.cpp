@@ -190,8 +190,8 @@ void GameApp::takeDropped(std::filesystem::path const& file) {
     }
     std::string why = dropped.why;
     if (dropped.kind == DroppedFile::Kind::solution) {
-        SolutionShelf* const shelf = screen_->shelf();
-        why = shelf != nullptr ? shelf->receive(file) : text("solutions.no_level");
+        LoadableSolutions* const loadable = screen_->loadableSolutions();
+        why = loadable != nullptr ? loadable->receive(file) : text("solutions.no_level");
     }
     if (why.empty()) {
         menu_.close();
