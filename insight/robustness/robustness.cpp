@@ -3,6 +3,7 @@
 #include "insight/search/random_placement.hpp"
 #include "insight/trial/solution_text.hpp"
 #include "insight/trial/trial.hpp"
+#include "puzzle/session/zone.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -134,7 +135,10 @@ std::vector<Drop> randomDrops(LevelUnderTest const& level, int runs, std::uint64
         Solution solution;
         TrialResult result;
         result.fits = false;
-        if (auto const placement = placedAtRandom(level, solution, part, random)) {
+        auto const placement = droppedAtRandom(level, solution, part, random);
+        if (placement && whyItSticksOut(level.level(), level.data().parts, *placement)) {
+            result.fits = true; // the player's try is refused
+        } else if (placement) {
             solution.placements.push_back(*placement);
             result = tryOut(level, solution, {.frames = frames});
         }

@@ -64,8 +64,9 @@ struct Drop {
     [[nodiscard]] double share() const { return runs == 0 ? 0 : static_cast<double>(solved) / runs; }
 };
 
-/// For each part of the toolbox: `runs` runs with it alone, in a random place where it fits and turned by a
-/// random multiple of 15 degrees. A part that fits nowhere gets no run.
+/// For each part of the toolbox: `runs` runs with it alone, in a random place where it overlaps nothing,
+/// turned by a random multiple of 15 degrees. Where it would stick out of the areas for placing it solves
+/// nothing. A part that fits nowhere gets no run.
 [[nodiscard]] std::vector<Drop> randomDrops(LevelUnderTest const& level, int runs, std::uint64_t frames,
                                             std::uint64_t seed, Workers& workers);
 

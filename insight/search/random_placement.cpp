@@ -65,8 +65,11 @@ int leftInToolbox(LevelUnderTest const& level, Solution const& solution, std::st
     return left;
 }
 
-std::optional<Placement> placedAtRandom(LevelUnderTest const& level, Solution const& others,
-                                        std::string const& part, CounterRandom& random) {
+namespace {
+
+/// `wholly`: in the areas, and not only with its centre.
+std::optional<Placement> anywhere(LevelUnderTest const& level, Solution const& others,
+                                  std::string const& part, CounterRandom& random, bool wholly) {
     std::vector<Area> const areas = placingAreas(level);
     if (areas.empty() || leftInToolbox(level, others, part) < 1) {
         return std::nullopt;
@@ -93,7 +96,7 @@ std::optional<Placement> placedAtRandom(LevelUnderTest const& level, Solution co
         std::size_t const turn = random.chance(0.5) ? 0 : random.below(turns);
         placement.angle = static_cast<double>(turn) * pi / 12;
         if (!areas[chosen].contains(placement.at) ||
-            whyItSticksOut(level.level(), level.data().parts, placement) ||
+            (wholly && whyItSticksOut(level.level(), level.data().parts, placement)) ||
             whyItDoesNotFit(level.world(), level.data().parts, placement, {})) {
             continue;
         }
@@ -104,6 +107,18 @@ std::optional<Placement> placedAtRandom(LevelUnderTest const& level, Solution co
         }
     }
     return std::nullopt;
+}
+
+} // namespace
+
+std::optional<Placement> droppedAtRandom(LevelUnderTest const& level, Solution const& others,
+                                         std::string const& part, CounterRandom& random) {
+    return anywhere(level, others, part, random, false);
+}
+
+std::optional<Placement> placedAtRandom(LevelUnderTest const& level, Solution const& others,
+                                        std::string const& part, CounterRandom& random) {
+    return anywhere(level, others, part, random, true);
 }
 
 Solution randomSolution(LevelUnderTest const& level, CounterRandom& random) {

@@ -15,9 +15,12 @@ namespace trembler::insight {
 /// around all that it has, with a margin of 1 m.
 [[nodiscard]] std::vector<Area> placingAreas(LevelUnderTest const& level);
 
-/// A part in a random place, in addition to what the solution places: evenly distributed over the areas for
-/// placing, upright or turned by a random multiple of 15 degrees, so that it overlaps nothing. Nothing if
-/// 64 places were tried without success, or the toolbox has none left.
+/// A part whose centre is in a random place, in addition to what the solution places: evenly distributed over
+/// the areas for placing, upright or turned by a random multiple of 15 degrees, so that it overlaps nothing;
+/// it may stick out of the areas. Nothing if 64 places were tried without success, or the toolbox has none left.
+[[nodiscard]] std::optional<Placement> droppedAtRandom(LevelUnderTest const& level, Solution const& others,
+                                                       std::string const& part, CounterRandom& random);
+/// The same where a player can place it: wholly in the areas.
 [[nodiscard]] std::optional<Placement> placedAtRandom(LevelUnderTest const& level, Solution const& others,
                                                       std::string const& part, CounterRandom& random);
 

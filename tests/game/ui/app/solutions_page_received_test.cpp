@@ -100,7 +100,6 @@ TEST_F(ReceivedSolution, IsOpenedByKeysAlone) {
     player.key(SDLK_RETURN);
     player.frames(3);
     player.key(SDLK_DOWN); // from the folder above to the first file
-    player.key(SDLK_DOWN);
     player.key(SDLK_RETURN);
     player.frames(3);
     expectReceived();
@@ -125,7 +124,6 @@ TEST_F(ReceivedSolution, IsOpenedByAGamepadAlone) {
     EXPECT_EQ(player.app().menu().page(), MenuPage::solutions) << "B leads back to the page";
     pad.press(player, SDL_CONTROLLER_BUTTON_A);
     player.frames(3);
-    pad.press(player, SDL_CONTROLLER_BUTTON_DPAD_DOWN);
     pad.press(player, SDL_CONTROLLER_BUTTON_DPAD_DOWN);
     pad.press(player, SDL_CONTROLLER_BUTTON_A);
     player.frames(3);

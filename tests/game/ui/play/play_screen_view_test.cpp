@@ -13,6 +13,12 @@ protected:
     View() { player.open(firstContact); }
     [[nodiscard]] Point centre() { return player.play().camera().centre; }
     [[nodiscard]] double scale() { return player.play().camera().pixelsPerMetre; }
+    /// A trigger's axis rests at its lowest value.
+    void pull(VirtualPad const& pad, SDL_GameControllerAxis trigger) {
+        pad.lean(player, trigger, 32767);
+        pad.lean(player, trigger, -32768);
+        player.frames(2);
+    }
     Player player;
 };
 
@@ -59,9 +65,9 @@ TEST_F(View, IsMovedByAGamepadUntilBEndsIt) {
     player.frames(60);
     pad.hold(player, SDL_CONTROLLER_BUTTON_DPAD_DOWN, false);
     EXPECT_LT(centre().y, pressed.y - 0.2 * 720 / before) << "it moves on while it is held";
-    pad.push(player, SDL_CONTROLLER_AXIS_TRIGGERRIGHT, 32767);
+    pull(pad, SDL_CONTROLLER_AXIS_TRIGGERRIGHT);
     EXPECT_GT(scale(), before);
-    pad.push(player, SDL_CONTROLLER_AXIS_TRIGGERLEFT, 32767);
+    pull(pad, SDL_CONTROLLER_AXIS_TRIGGERLEFT);
     EXPECT_NEAR(scale(), before, 1e-6);
     EXPECT_FALSE(player.play().placing().carried()) << "no trigger took a part";
     pad.press(player, SDL_CONTROLLER_BUTTON_B);
@@ -69,7 +75,7 @@ TEST_F(View, IsMovedByAGamepadUntilBEndsIt) {
     Point const ended = centre();
     pad.press(player, SDL_CONTROLLER_BUTTON_DPAD_RIGHT);
     EXPECT_EQ(centre().x, ended.x) << "the directional pad moves the pointer again";
-    pad.push(player, SDL_CONTROLLER_AXIS_TRIGGERRIGHT, 32767);
+    pull(pad, SDL_CONTROLLER_AXIS_TRIGGERRIGHT);
     EXPECT_TRUE(player.play().placing().carried()) << "and the trigger takes a part";
 }
 
