@@ -262,6 +262,7 @@ nlohmann::ordered_json toJson(Answer const& answer, std::string const& asked, st
                          {"because", one.step.because},
                          {"confirmed", one.proof == Proof::confirmed || one.proof == Proof::together},
                          {"proof", nameOf(one.proof)},
+                         {"traced", one.step.traced},
                          {"text", clausesOf(one.step, answer.facts, goal, tongue).main}});
     }
     nlohmann::ordered_json made{
