@@ -83,6 +83,20 @@ std::string shownCauses(insight::CauseGraph const& graph) {
     return fmt::format("{}", fmt::join(interactions, ", "));
 }
 
+std::string shownSide(PartCatalog const& parts, insight::GraphSide const& side) {
+    std::vector<std::string> shown;
+    for (std::string const& part : side.parts) {
+        shown.push_back(shownMaking(parts, part));
+    }
+    for (std::string const& deed : side.deeds) {
+        shown.push_back(shownMaking(parts, deed));
+    }
+    for (auto const& [cause, effect] : side.links) {
+        shown.push_back(filledIn(leadsToText, translated(cause), translated(effect)));
+    }
+    return fmt::format("{}", fmt::join(shown, ", "));
+}
+
 std::string shownStep(std::string const& step, insight::WorkDone const& done) {
     std::string shown = translated(step);
     if (done.of > 0) {

@@ -1,7 +1,6 @@
 #include "game/ui/play/why/why_panel.hpp"
 
 #include "game/ui/play/view/level_text.hpp"
-#include "game/ui/shared/catalogue_in_use.hpp"
 #include "game/ui/shared/words.hpp"
 
 #include <algorithm>
@@ -36,11 +35,6 @@ std::vector<StepKind> kindsOf(MarkKind kind) {
 }
 
 } // namespace
-
-insight::Tongue tongueInUse() {
-    Catalogue const* const catalogue = catalogueInUse();
-    return catalogue == nullptr ? insight::Tongue() : insight::Tongue(*catalogue);
-}
 
 WhyPanel::WhyPanel(Registry const& registry, PartLibrary const& parts, std::shared_ptr<GameData const> data,
                    Session const& session, LevelText const& said)
