@@ -106,6 +106,8 @@ private:
             nlohmann::json const told = nlohmann::json::parse(*results[i + 1]);
             SolutionReport one;
             one.name = solutions[i].name;
+            one.hasParts = !solutions[i].placements.empty();
+            one.hasDeeds = !solutions[i].inputs.empty();
             one.needs = needsFrom(told.at(0).get<std::string>(), solutions[i]);
             one.expected = report_.task ? one.needs.solves : solutions[i].solves;
             one.graph = causeGraphFrom(told.at(1).get<std::string>());

@@ -38,6 +38,8 @@ struct SolutionReport {
     std::string name;
     /// Recorded as a solution, and not as a run that does not solve the level; of a task: it solves it.
     bool expected = true;
+    bool hasParts = false; ///< the recorded run places some ...
+    bool hasDeeds = false; ///< ... or has something done in it by hand
     Needs needs;
     CauseGraph graph;           ///< of `needs.least`
     std::size_t kind = 0;       ///< solutions of one kind have the same number, from 1; 0: it does not solve

@@ -53,7 +53,8 @@ Json solutionJson(LevelReport const& report, SolutionReport const& solution) {
     made["needs_effects"] = solution.needs.effects;
     made["superfluous"] = solution.needs.superfluous;
     made["superfluous_effects"] = solution.needs.idleEffects;
-    made["robustness"] = solution.robustness.share();
+    bool const displaced = solution.robustness.runs > 0;
+    made["robustness"] = displaced ? Json(solution.robustness.share()) : Json();
     made["robustness_runs"] = solution.robustness.runs;
     made["robustness_redrawn"] = solution.robustness.redrawn;
     made["chains"] = Json::array();
@@ -93,7 +94,9 @@ nlohmann::ordered_json toJson(LevelReport const& report) {
     made["task"] = report.task;
     made["empty_toolbox_solves"] = report.emptyToolboxSolves;
     made["seed"] = report.seed;
-    made["jitter"] = {{"cm", 100 * report.jitter.distance}, {"degrees", report.jitter.angle}};
+    made["jitter"] = {{"cm", 100 * report.jitter.distance},
+                      {"degrees", report.jitter.angle},
+                      {"seconds", report.jitter.seconds}};
     made["kinds"] = report.kinds;
     made["solutions"] = Json::array();
     for (SolutionReport const& solution : report.solutions) {

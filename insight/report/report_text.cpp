@@ -201,10 +201,11 @@ std::string toWords(LevelReport const& report) {
                             one.kind, inWords(one.graph), listed(one.needs.parts), listed(one.needs.effects),
                             listed(one.needs.superfluous));
         if (one.robustness.runs > 0) {
-            text += fmt::format("    displaced by up to {:.1f} cm and {:.1f} degrees it succeeds in {} of {} "
-                                "runs\n",
-                                100 * report.jitter.distance, report.jitter.angle, one.robustness.solved,
-                                one.robustness.runs);
+            text +=
+                fmt::format("    displaced by up to {:.1f} cm, {:.1f} degrees and {:.2f} s it succeeds in {} "
+                            "of {} runs\n",
+                            100 * report.jitter.distance, report.jitter.angle, report.jitter.seconds,
+                            one.robustness.solved, one.robustness.runs);
         }
         for (Answer const& answer : one.chains) {
             text += fmt::format("    why: {}\n", toldChain(report, answer));

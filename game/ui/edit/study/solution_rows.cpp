@@ -104,10 +104,7 @@ void drawDetails(EditParts& parts, LevelReport const& report, SolutionReport con
         }
         drawChains(parts, solution);
         if (solution.robustness.runs > 0) {
-            studyText(words::filledIn(words::robustText,
-                                      localNumber(fmt::format("{:g}", 100 * report.jitter.distance)),
-                                      localNumber(fmt::format("{:g}", report.jitter.angle)),
-                                      solution.robustness.solved, solution.robustness.runs));
+            studyText(words::shownRobustness(solution, report.jitter));
         } else if (report.complete) {
             studyText(words::nothingDisplaced);
         }

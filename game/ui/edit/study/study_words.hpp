@@ -83,7 +83,12 @@ inline char const* const& needsEffectsText = editWord("Needs the effects: {}");
 inline char const* const& superfluousText = editWord("Superfluous: {}");
 inline char const* const& robustText =
     editWord("With its parts displaced by up to {} cm and turned by up to {}°, {} of {} runs solve it.");
-inline char const* const& nothingDisplaced = editWord("It has no parts that could be displaced.");
+inline char const* const& robustDeedsText =
+    editWord("With its deeds up to {} s earlier or later and {} cm beside, {} of {} runs solve it.");
+inline char const* const& robustBothText = editWord(
+    "With its parts displaced by up to {} cm and turned by up to {}°, and its deeds up to {} s earlier or "
+    "later, {} of {} runs solve it.");
+inline char const* const& nothingDisplaced = editWord("It has nothing that could be displaced.");
 inline char const* const& watchIt = editWord("Watch it");
 inline char const* const& mayLie = editWord("Where a part may lie, the others staying:");
 inline char const* const& mapCaption =
@@ -143,6 +148,9 @@ inline char const* const& nothingPlaced = editWord("nothing placed");
 [[nodiscard]] std::string shownCauses(insight::CauseGraph const& graph);
 /// What only one of two kinds has; "" if there is nothing.
 [[nodiscard]] std::string shownSide(PartCatalog const& parts, insight::GraphSide const& side);
+/// In how many of its displaced runs a solution solves the level; it has such runs.
+[[nodiscard]] std::string shownRobustness(insight::SolutionReport const& solution,
+                                          insight::Jitter const& jitter);
 /// What is being done, and how much of it.
 [[nodiscard]] std::string shownStep(std::string const& step, insight::WorkDone const& done);
 
