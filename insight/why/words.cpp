@@ -173,6 +173,14 @@ std::string sentenceOf(Miss const& miss, Extreme extreme, std::string const& whe
                when;
     case Lack::count:
         return tongue.mix("the number was wrong by {}", {{tongue.number(miss.by, 0)}}) + when;
+    case Lack::ways: {
+        bool const one = miss.by < 1.5;
+        Said const ways{tongue.number(miss.by, 0)};
+        return (one ? tongue.mix("current still flowed through {}: one connection held it", {first})
+                    : tongue.mix("current still flowed through {}: at least {} connections held it",
+                                 {first, ways})) +
+               when;
+    }
     case Lack::time:
         return tongue.mix("it held, but for {} less than it should", {amount(2)}) + when;
     case Lack::steps:
