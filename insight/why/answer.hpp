@@ -52,6 +52,7 @@ struct ChainStep {
     Vec2 at;
     /// How often it happened in the chain; earlier times of what repeats are not in it, see foldRepeats().
     std::size_t times = 1;
+    std::size_t cycle = 0; ///< steps that were repeated together have the same number, from 1; 0: once
 };
 
 struct Answer {

@@ -10,9 +10,19 @@ using nlohmann::json;
 
 json stepJson(ChainStep const& one) {
     Step const& step = one.step;
-    return {static_cast<int>(step.kind), step.event.value, step.frame,       step.component,
-            step.what,                   step.objects,     step.because,     step.traced,
-            static_cast<int>(one.proof), one.at.x,         one.at.y,         one.times};
+    return {static_cast<int>(step.kind),
+            step.event.value,
+            step.frame,
+            step.component,
+            step.what,
+            step.objects,
+            step.because,
+            step.traced,
+            static_cast<int>(one.proof),
+            one.at.x,
+            one.at.y,
+            one.times,
+            one.cycle};
 }
 
 ChainStep stepFrom(json const& all) {
@@ -28,6 +38,7 @@ ChainStep stepFrom(json const& all) {
     one.proof = static_cast<Proof>(all.at(8).get<int>());
     one.at = {all.at(9).get<double>(), all.at(10).get<double>()};
     one.times = all.at(11).get<std::size_t>();
+    one.cycle = all.at(12).get<std::size_t>();
     return one;
 }
 

@@ -1,5 +1,6 @@
 #include "insight/why/answer.hpp"
 #include "insight/why/candidates.hpp"
+#include "insight/why/fold_repeats.hpp"
 #include "insight/why/question_target.hpp"
 #include "insight/why/second_runs.hpp"
 
@@ -174,6 +175,7 @@ void tell(Answer& answer, Target const& target, std::vector<Proof> const& proofs
         answer.confirmed = answer.confirmed && (!root || known);
         answer.chain.push_back(std::move(made));
     }
+    foldRepeats(answer.chain);
 }
 
 } // namespace
