@@ -53,6 +53,9 @@ std::vector<Candidate> candidatesOf(Story const& story, SceneFacts const& facts,
     std::vector<std::size_t> const& proximate = story.askedStep().because;
     for (std::size_t i = 0; i < story.steps.size(); ++i) {
         Step const& step = story.steps[i];
+        if (step.bridge) {
+            continue;
+        }
         std::vector<LeftOut> leftOut;
         switch (step.kind) {
         case StepKind::contact: {

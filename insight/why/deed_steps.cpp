@@ -1,7 +1,10 @@
 #include "insight/why/deed_steps.hpp"
 
+#include "insight/why/bridges.hpp"
+
 #include <algorithm>
 #include <map>
+#include <numeric>
 #include <set>
 #include <utility>
 
@@ -69,6 +72,112 @@ std::vector<Step> stepsBefore(Story const& story, Solution const& solution, Scen
     return steps;
 }
 
+/// A story to which deeds are added that the trace does not connect with it, with their bridges.
+class Inserted {
+public:
+    Inserted(Story const& story, std::span<Event const> events, SceneFacts const& facts)
+        : story_(story), events_(events), facts_(facts) {
+        for (std::size_t i = 0; i < story.steps.size(); ++i) {
+            Entry entry{story.steps[i], {}};
+            for (std::size_t const cause : story.steps[i].because) {
+                entry.because.push_back(cause);
+            }
+            entries_.push_back(std::move(entry));
+        }
+    }
+
+    void add(Step const& deed) {
+        std::size_t before = entries_.size();
+        deeds_.push_back(before);
+        entries_.push_back({deed, {}});
+        for (std::size_t const i : bridgeOf(deed)) {
+            Event const& event = events_[i];
+            bool const known = std::any_of(story_.steps.begin(), story_.steps.end(),
+                                           [&](Step const& step) { return step.event == event.id; });
+            if (known) { // the bridge would join the story, so the trace connects them after all
+                continue;
+            }
+            Step step{kindOf(event).value_or(StepKind::other),
+                      event.id,
+                      event.frame,
+                      event.component,
+                      event.event,
+                      event.objects,
+                      {},
+                      true,
+                      true};
+            entries_.push_back({std::move(step), {before}});
+            before = entries_.size() - 1;
+        }
+        ends_.push_back(before);
+    }
+
+    /// In the order of the trace, placements and wires first.
+    [[nodiscard]] Story story() const {
+        std::vector<std::size_t> order(entries_.size());
+        std::iota(order.begin(), order.end(), std::size_t{0});
+        std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+            return entries_[a].step.event < entries_[b].step.event;
+        });
+        std::vector<std::size_t> placeOf(entries_.size());
+        for (std::size_t i = 0; i < order.size(); ++i) {
+            placeOf[order[i]] = i;
+        }
+        Story made;
+        for (std::size_t const i : order) {
+            Step step = entries_[i].step;
+            step.because.clear();
+            for (std::size_t const cause : entries_[i].because) {
+                step.because.push_back(placeOf[cause]);
+            }
+            std::sort(step.because.begin(), step.because.end());
+            made.steps.push_back(std::move(step));
+        }
+        made.asked = placeOf[story_.asked];
+        for (std::size_t i = 0; i < deeds_.size(); ++i) {
+            if (ends_[i] != deeds_[i]) {
+                made.bridges.emplace(placeOf[deeds_[i]], placeOf[ends_[i]]);
+            }
+        }
+        return made;
+    }
+
+private:
+    struct Entry {
+        Step step;
+        std::vector<std::size_t> because; ///< places in entries_
+    };
+
+    /// Where the trace says what followed from the deed: of a placement, what its pieces touched.
+    [[nodiscard]] std::vector<std::size_t> bridgeOf(Step const& deed) const {
+        bool const placed = deed.kind == StepKind::placed;
+        std::vector<std::size_t> first;
+        for (std::size_t i = 0; i < events_.size(); ++i) {
+            if (placed ? kindOf(events_[i]) == StepKind::contact && isPieceOf(deed, events_[i])
+                       : events_[i].id == deed.event) {
+                first.push_back(i);
+            }
+        }
+        Step const& asked = story_.askedStep();
+        return first.empty() ? first : bridgeFrom(events_, first, placed, asked.objects, asked.event);
+    }
+
+    [[nodiscard]] bool isPieceOf(Step const& deed, Event const& event) const {
+        auto const placement = facts_.placementOf.at(deed.objects.front());
+        return std::any_of(event.objects.begin(), event.objects.end(), [&](std::string const& name) {
+            auto const at = facts_.placementOf.find(name);
+            return at != facts_.placementOf.end() && at->second == placement;
+        });
+    }
+
+    Story const& story_;
+    std::span<Event const> events_;
+    SceneFacts const& facts_;
+    std::vector<Entry> entries_;     // the story's, then the others
+    std::vector<std::size_t> deeds_; // places of what was added ...
+    std::vector<std::size_t> ends_;  // ... and of the ends of their bridges, or the same
+};
+
 } // namespace
 
 bool isDeed(StepKind kind) {
@@ -121,28 +230,18 @@ Story withDeeds(Story const& story, Solution const& solution, SceneFacts const& 
     for (Step const& step : story.steps) {
         (void)finder.find(step);
     }
-    std::vector<Step> more = finder.others();
-    std::erase_if(more, [&](Step& deed) {
+    std::vector<Step> more = stepsBefore(story, solution, facts);
+    for (Step& deed : finder.others()) {
         deed.event = eventOfDeed(deed, events);
-        return !deed.event || deed.frame > story.askedStep().frame;
-    });
-    Story made;
-    made.steps = stepsBefore(story, solution, facts);
-    std::vector<std::size_t> placeOf; // of each of the story's steps
-    std::size_t next = 0;             // of `more`
-    for (Step const& step : story.steps) {
-        for (; next < more.size() && step.kind != StepKind::placed && more[next].frame <= step.frame;
-             ++next) {
-            made.steps.push_back(more[next]);
-        }
-        placeOf.push_back(made.steps.size());
-        made.steps.push_back(step);
-        for (std::size_t& cause : made.steps.back().because) {
-            cause = placeOf[cause];
+        if (deed.event && deed.event < story.askedStep().event) {
+            more.push_back(std::move(deed));
         }
     }
-    made.asked = placeOf[story.asked];
-    return made;
+    Inserted inserted(story, events, facts);
+    for (Step const& deed : more) {
+        inserted.add(deed);
+    }
+    return inserted.story();
 }
 
 } // namespace trembler::insight

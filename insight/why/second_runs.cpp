@@ -169,17 +169,19 @@ void SecondRuns::noteVanished(Tested& tested, std::vector<std::size_t> const& fr
                               Proof proof) const {
     std::vector<Step> const& steps = target_.story.steps;
     std::vector<bool> follows(steps.size());
-    std::set<std::size_t> effects; // that no step of the trace connects with the cause
     for (std::size_t const i : from) {
         follows[i] = true;
-        if (auto const effect = tested.effects.find(i); effect != tested.effects.end()) {
-            effects.insert(effect->second);
-        }
     }
+    std::set<std::size_t> effects; // that no step of the trace connects with the cause
     for (std::size_t i = 0; i < steps.size(); ++i) {
         bool const after =
             effects.contains(i) || std::any_of(steps[i].because.begin(), steps[i].because.end(),
                                                [&](std::size_t cause) { return follows[cause]; });
+        if (follows[i] || after) {
+            if (auto const effect = tested.effects.find(i); effect != tested.effects.end()) {
+                effects.insert(effect->second);
+            }
+        }
         if (follows[i] || !after) {
             continue;
         }
@@ -201,11 +203,14 @@ void SecondRuns::note(Tested& tested, std::vector<std::size_t> const& steps, Out
         }
         std::size_t effect = step + 1;
         while (effect < story.asked &&
-               (!story.steps[effect].traced || outcome.steps[effect] ||
+               (!story.steps[effect].traced || story.steps[effect].bridge || outcome.steps[effect] ||
                 tested.proofs[effect] == Proof::refuted || isGranted(story.steps[effect], facts_))) {
             ++effect;
         }
-        tested.effects[step] = effect;
+        auto const bridge = story.bridges.find(step);
+        bool const bridged =
+            bridge != story.bridges.end() && bridge->second < effect && !outcome.steps[bridge->second];
+        tested.effects[bridged ? bridge->second : step] = effect;
     }
     noteVanished(tested, steps, outcome, proof);
 }

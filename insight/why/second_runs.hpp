@@ -21,8 +21,8 @@ public:
 
     struct Tested {
         std::vector<Proof> proofs; ///< how well each step of the story is known
-        /// Of the steps that are known, but not traced: the first step of the story that did not happen
-        /// without them, which is the asked one at the latest.
+        /// Of the steps that are known, but not traced, or of the last step of the bridge from there: the
+        /// first step of the story that did not happen without them, which is the asked one at the latest.
         std::map<std::size_t, std::size_t> effects;
     };
     /// Each candidate is left out by itself. If what was asked

@@ -224,7 +224,8 @@ Story storyOf(std::span<Event const> events, EventId asked, SceneFacts const& fa
                   event.event,
                   event.objects,
                   {},
-                  true};
+                  true,
+                  false};
         std::set<std::size_t> because;
         for (std::size_t const cause : causes[i]) {
             if (cause < i) {

@@ -5,6 +5,7 @@
 #include "runtime/trace/event.hpp"
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -41,12 +42,16 @@ struct Step {
     std::vector<std::string> objects;
     std::vector<std::size_t> because; ///< steps, ascending; each is earlier in the story than this one
     bool traced = true;               ///< false: the trace does not connect it with what was asked about
+    /// Led there from a deed that is not traced, and leads itself to nothing in the story, see withDeeds().
+    bool bridge = false;
 };
 
 /// An event and all that led to it, in the order of the trace, placements first.
 struct Story {
     std::vector<Step> steps;
     std::size_t asked = 0; ///< the step that was asked about: the last
+    /// Of a deed that is not traced the last step of its bridge, if it has one.
+    std::map<std::size_t, std::size_t> bridges{};
 
     [[nodiscard]] Step const& askedStep() const { return steps[asked]; }
 };
