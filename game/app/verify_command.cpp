@@ -4,6 +4,7 @@
 #include "game/app/options/inputs.hpp"
 #include "game/app/options/level_paths.hpp"
 #include "game/app/options/outputs.hpp"
+#include "game/app/search/verification_key.hpp"
 #include "insight/spread/mpi_team.hpp"
 #include "insight/spread/workers.hpp"
 #include "puzzle/data/game_data.hpp"
@@ -18,6 +19,7 @@
 #include <iostream>
 #include <map>
 #include <memory>
+#include <span>
 
 namespace trembler {
 namespace {
@@ -29,6 +31,7 @@ struct VerifyArguments {
     std::vector<std::string> detail;
     std::vector<std::string> mods; // folders in which mods are looked for
     OutputTarget json;
+    std::string resume;
     bool mpi = false;
 };
 
@@ -64,25 +67,58 @@ void readsLevel(Outputs& outputs, GameDataByMods& data, fs::path const& level) {
     }
 }
 
-/// The failures of each level, found by all processes together; the same in each of them.
-std::vector<std::vector<std::string>> verifyTogether(insight::Team& team, GameDataByMods& data,
-                                                     std::vector<fs::path> const& levels,
-                                                     std::map<std::string, std::string> const& detail) {
-    // One thread for each process: the messages of scripts are gathered for all levels that share mods.
-    insight::Workers workers({.threads = 1, .team = &team, .journal = nullptr, .stop = {}, .progress = {}});
-    std::vector<std::string> keys;
-    for (fs::path const& level : levels) {
-        keys.push_back(level.string());
+/// The levels that are verified, one piece of work each, on one thread of each process: the messages of
+/// scripts are gathered for all levels that share mods.
+class Verification {
+public:
+    Verification(VerifyArguments const& arguments, GameDataByMods& data, std::vector<fs::path> const& levels)
+        : data_(data), levels_(levels), detail_(detailOf(arguments.detail)),
+          team_(arguments.mpi ? insight::mpiTeam() : std::make_unique<insight::Team>()),
+          journal_(arguments.resume.empty() ? nullptr
+                                            : std::make_unique<insight::Journal>(arguments.resume, *team_)),
+          workers_(
+              {.threads = 1, .team = team_.get(), .journal = journal_.get(), .stop = {}, .progress = {}}) {
+        if (journal_) { // only then do keys have to tell states of a file apart
+            for (fs::path const& level : levels) {
+                keys_.push_back(verificationKey(data, level, detail_));
+            }
+        } else {
+            for (fs::path const& level : levels) {
+                keys_.push_back(level.string());
+            }
+        }
+        if (team_->size() > 1) {
+            results_ = share(keys_, 0);
+        }
     }
-    std::vector<std::vector<std::string>> failures;
-    for (auto const& result : workers.share(keys, [&](std::size_t index) {
-             return nlohmann::json(verifyOne(data, levels[index], detail))
-                 .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-         })) {
-        failures.push_back(nlohmann::json::parse(*result).get<std::vector<std::string>>());
+
+    [[nodiscard]] bool leads() const { return team_->leads(); }
+    /// The failures of a level; the same in all processes.
+    [[nodiscard]] std::vector<std::string> failures(std::size_t level) {
+        return team_->size() > 1 ? results_[level] : share(std::span(keys_).subspan(level, 1), level).front();
     }
-    return failures;
-}
+
+private:
+    std::vector<std::vector<std::string>> share(std::span<std::string const> keys, std::size_t first) {
+        std::vector<std::vector<std::string>> all;
+        for (auto const& result : workers_.share(keys, [&](std::size_t index) {
+                 return nlohmann::json(verifyOne(data_, levels_[first + index], detail_))
+                     .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+             })) {
+            all.push_back(nlohmann::json::parse(*result).get<std::vector<std::string>>());
+        }
+        return all;
+    }
+
+    GameDataByMods& data_;
+    std::vector<fs::path> const& levels_;
+    std::map<std::string, std::string> detail_;
+    std::unique_ptr<insight::Team> team_;
+    std::unique_ptr<insight::Journal> journal_;
+    insight::Workers workers_;
+    std::vector<std::string> keys_;
+    std::vector<std::vector<std::string>> results_; // of several processes
+};
 
 int verifyAll(VerifyArguments const& arguments) {
     GameData const gameData; // without mods
@@ -97,21 +133,17 @@ int verifyAll(VerifyArguments const& arguments) {
     if (arguments.json && isLevel(*arguments.json)) {
         outputs.reads(*arguments.json);
     }
-    auto const detail = detailOf(arguments.detail);
-    std::unique_ptr<insight::Team> const team = arguments.mpi ? insight::mpiTeam() : nullptr;
-    std::vector<std::vector<std::string>> found;
-    if (team) {
-        found = verifyTogether(*team, data, levels, detail);
-        if (!team->leads()) {
-            return exitSolved;
-        }
+    outputs.claimFile("--resume", arguments.resume.empty() ? OutputTarget() : arguments.resume, "a file");
+    Verification verification(arguments, data, levels);
+    if (!verification.leads()) {
+        return exitSolved;
     }
     OutputFile* const json = outputs.add("--json", arguments.json);
     nlohmann::ordered_json entries = nlohmann::ordered_json::array();
     bool valid = true;
     for (std::size_t i = 0; i < levels.size(); ++i) {
         fs::path const& level = levels[i];
-        std::vector<std::string> const failures = team ? found[i] : verifyOne(data, level, detail);
+        std::vector<std::string> const failures = verification.failures(i);
         std::string const name = gameData.shortName(level);
         if (!outputs.terminalTaken()) {
             for (std::string const& failure : failures) {
@@ -155,8 +187,15 @@ void addVerifyCommand(CLI::App& program, int& result) {
         ->add_option("--detail", arguments->detail,
                      "EFFECT=LEVEL: check them with this detail level, for example dynamics=ode")
         ->allow_extra_args(false); // otherwise the option would take the path for its value
+    command
+        ->add_option_function<std::string>(
+            "--resume", [arguments](std::string const& file) { arguments->resume = file; },
+            "A file to which the verdict on every level is added as it comes; a level that has not changed "
+            "since is not verified again")
+        ->type_name("FILE");
     command->add_flag("--mpi", arguments->mpi,
-                      "Share the levels out among the processes that mpirun started");
+                      "Share the levels out among the processes that mpirun started; the result does not "
+                      "depend on their number");
     addModFolders(*command, arguments->mods);
     command->footer(outputConvention);
     command->callback([arguments, &result] {

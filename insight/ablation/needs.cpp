@@ -1,5 +1,6 @@
 #include "insight/ablation/needs.hpp"
 
+#include "insight/run/reduced_level.hpp"
 #include "insight/trial/solution_text.hpp"
 #include "insight/trial/trial.hpp"
 #include "puzzle/data/effects.hpp"
@@ -40,32 +41,6 @@ std::vector<Entry> entriesOf(Solution const& solution) {
         entries.push_back({solution.placements[i].part, {withoutPlacement(i)}});
     }
     return entries;
-}
-
-template <class T>
-void eraseIndices(std::vector<T>& list, std::set<std::size_t> const& gone) {
-    for (auto at = gone.rbegin(); at != gone.rend(); ++at) {
-        list.erase(list.begin() + static_cast<std::ptrdiff_t>(*at));
-    }
-}
-
-Solution without(Solution solution, std::vector<LeftOut> const& leftOut) {
-    std::set<std::size_t> placements;
-    std::set<std::size_t> wires;
-    std::set<std::size_t> inputs;
-    for (LeftOut const& one : leftOut) {
-        if (one.kind == LeftOut::Kind::placement) {
-            placements.insert(one.index);
-        } else if (one.kind == LeftOut::Kind::wire) {
-            wires.insert(one.index);
-        } else if (one.kind == LeftOut::Kind::input) {
-            inputs.insert(one.index);
-        }
-    }
-    eraseIndices(solution.placements, placements);
-    eraseIndices(solution.wires, wires);
-    eraseIndices(solution.inputs, inputs);
-    return solution;
 }
 
 std::vector<LeftOut> together(std::vector<LeftOut> all, std::vector<LeftOut> const& more) {
@@ -158,7 +133,7 @@ Needs needsOf(LevelRuns const& runs, Solution const& solution, std::uint64_t fra
             changed = true;
         }
     }
-    needs.least = without(solution, gone);
+    needs.least = reducedSolution(runs.level(), solution, gone);
     describeLeast(needs);
     for (std::string const& effect : dispensableAtWork(runs, needs.least, limits)) {
         bool const needed = !runs.run({needs.least, {withoutEffect(effect)}}, limits).solved;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <vector>
 
 namespace trembler::insight {
 namespace {
@@ -24,10 +25,20 @@ Vec2 nearestIn(Area const& area, Vec2 from) {
         return {std::clamp(from.x, area.box->corner.x, upper.x),
                 std::clamp(from.y, area.box->corner.y, upper.y)};
     }
+    return nearestEdgeOf(area, from);
+}
+
+Vec2 nearestEdgeOf(Area const& area, Vec2 from) {
+    std::vector<Vec2> corners = area.corners;
+    if (area.box) {
+        Vec2 const lower = area.box->corner;
+        Vec2 const upper = lower + area.box->size;
+        corners = {lower, {upper.x, lower.y}, upper, {lower.x, upper.y}};
+    }
     Vec2 nearest = from;
     double least = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < area.corners.size(); ++i) {
-        Vec2 const at = nearestOn(area.corners[i], area.corners[(i + 1) % area.corners.size()], from);
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        Vec2 const at = nearestOn(corners[i], corners[(i + 1) % corners.size()], from);
         if (double const distance = length(at - from); distance < least) {
             least = distance;
             nearest = at;

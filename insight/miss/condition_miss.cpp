@@ -1,11 +1,10 @@
 #include "insight/miss/condition_miss.hpp"
 
 #include "insight/miss/area_distance.hpp"
+#include "insight/miss/current_miss.hpp"
+#include "insight/miss/negated_miss.hpp"
 #include "insight/miss/obstacles.hpp"
 #include "physics/dynamics/properties/overlap.hpp"
-#include "physics/electricity/analyses/nodal.hpp"
-#include "physics/electricity/properties/quantities.hpp"
-#include "physics/electricity/properties/ratings.hpp"
 #include "puzzle/goals/conditions/count.hpp"
 #include "puzzle/goals/conditions/moved.hpp"
 #include "puzzle/goals/conditions/sequence.hpp"
@@ -22,8 +21,6 @@ namespace {
 
 /// The share of a measure that a condition keeps while it holds, but not yet for long enough.
 constexpr double shareOfTime = 0.3;
-/// The share that a closed circuit keeps as long as too little current flows.
-constexpr double shareOfPower = 0.3;
 
 double measureOf(double distance) {
     return distance / (distance + typicalDistance);
@@ -100,36 +97,6 @@ Miss missOfTouching(ConditionMiss const& one, World const& world, CircuitSight& 
     return best;
 }
 
-Miss missOfOn(ConditionMiss const& one, World const& world, CircuitSight& circuits) {
-    Miss best = otherWayRound(one.state());
-    for (ObjectId const id : one.state().subjects()) {
-        CircuitCut const& cut = circuits.cutAt(world, id);
-        Miss miss;
-        miss.objects = {id};
-        miss.by = 1;
-        if (!cut.gaps.empty()) {
-            miss.lack = Lack::gap;
-            miss.by = cut.width;
-            miss.gaps = cut.gaps;
-            miss.measure = shareOfPower + (1 - shareOfPower) * measureOf(cut.width);
-        } else if (!cut.hopeless) {
-            RatedPower const* const rated = world.find<RatedPower>(id);
-            auto const* const quantities = world.find<ElectricalQuantities>();
-            auto const* const entry = quantities == nullptr ? nullptr : quantities->find(id);
-            if (rated != nullptr && entry != nullptr && rated->power > 0) {
-                double const needed = NodalElectricity::leastPower * rated->power;
-                miss.lack = Lack::power;
-                miss.by = std::max(0.0, needed - entry->power);
-                miss.measure = shareOfPower * std::clamp(miss.by / needed, 0.0, 1.0);
-            } else {
-                miss.measure = shareOfPower;
-            }
-        }
-        keepNearer(best, miss);
-    }
-    return best;
-}
-
 Miss missOfMoved(ConditionMiss const& one, World const& world, CircuitSight& circuits) {
     conditions::WantedMove const wanted = conditions::wantedMove(one.state().condition());
     Miss best = otherWayRound(one.state());
@@ -155,8 +122,17 @@ Miss missOfMoved(ConditionMiss const& one, World const& world, CircuitSight& cir
     return best;
 }
 
-Miss missOfOther(ConditionMiss const& one, World const& /*world*/, CircuitSight& /*circuits*/) {
-    return otherWayRound(one.state());
+Miss missOfCurrent(ConditionMiss const& one, World const& world, CircuitSight& circuits) {
+    return missOfOn(one.state(), world, circuits);
+}
+
+Miss missOfNoCurrent(ConditionMiss const& one, World const& world, CircuitSight& /*circuits*/) {
+    return missOfOff(one.state(), world);
+}
+
+Miss missOfNegation(ConditionMiss const& one, World const& world, CircuitSight& circuits) {
+    return one.children().empty() ? otherWayRound(one.state())
+                                  : negatedMiss(one.children().front(), world, circuits);
 }
 
 std::vector<Miss> missesOf(std::span<ConditionMiss const> children, World const& world,
@@ -255,13 +231,13 @@ struct KindOfMiss {
 };
 constexpr std::array<KindOfMiss, 10> kinds{{{"inside", missOfInside},
                                             {"touching", missOfTouching},
-                                            {"on", missOfOn},
-                                            {"off", missOfOther},
+                                            {"on", missOfCurrent},
+                                            {"off", missOfNoCurrent},
                                             {"moved", missOfMoved},
                                             {"count", missOfCount},
                                             {"all", missOfAll},
                                             {"any", missOfAny},
-                                            {"not", missOfOther},
+                                            {"not", missOfNegation},
                                             {"sequence", missOfSequence}}};
 
 } // namespace

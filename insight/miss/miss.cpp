@@ -9,7 +9,7 @@ struct LackText {
     std::string_view name;
     std::string_view unit;
 };
-constexpr std::array<LackText, 11> lackTexts{{{"nothing", ""},
+constexpr std::array<LackText, 12> lackTexts{{{"nothing", ""},
                                               {"distance", "m"},
                                               {"gap", "m"},
                                               {"power", "W"},
@@ -19,6 +19,7 @@ constexpr std::array<LackText, 11> lackTexts{{{"nothing", ""},
                                               {"count", ""},
                                               {"time", "s"},
                                               {"steps", ""},
+                                              {"ways", ""},
                                               {"change", ""}}};
 
 } // namespace

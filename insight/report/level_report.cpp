@@ -27,6 +27,8 @@ public:
         report_.seed = options_.robustness.seed;
         report_.jitter = options_.robustness.jitter;
         report_.demonstration = level_.level().demonstration;
+        report_.task = level_.isTask();
+        report_.goals = goalsOf(level_);
         report_.complete = false;
         say("what its solutions need");
         examineSolutions();
@@ -37,6 +39,11 @@ public:
         say("single parts dropped at random");
         report_.drops = randomDrops(level_, options_.drops, dropFrames, options_.robustness.seed, workers_);
         showSoFar();
+        if (options_.chains) {
+            say("why its solutions meet the goals");
+            explainSolutions();
+            showSoFar();
+        }
         if (options_.maps) {
             say("where each part may lie");
             drawMaps();
@@ -99,8 +106,10 @@ private:
             nlohmann::json const parsed = nlohmann::json::parse(*results[i + 1]);
             SolutionReport one;
             one.name = solutions[i].name;
-            one.expected = solutions[i].solves;
+            one.hasParts = !solutions[i].placements.empty();
+            one.hasDeeds = !solutions[i].inputs.empty();
             one.needs = needsFrom(parsed.at(0).get<std::string>(), solutions[i]);
+            one.expected = report_.task ? one.needs.solves : solutions[i].solves;
             one.graph = causeGraphFrom(parsed.at(1).get<std::string>());
             report_.solutions.push_back(std::move(one));
         }
@@ -120,6 +129,38 @@ private:
                                                return other.kind != 0 && !differ(other.graph, all[i].graph);
                                            });
             all[i].kind = same == all.begin() + static_cast<std::ptrdiff_t>(i) ? ++report_.kinds : same->kind;
+        }
+        compareKinds();
+    }
+
+    void compareKinds() {
+        std::vector<CauseGraph const*> graphs; // of the first solution of each kind
+        for (SolutionReport const& one : report_.solutions) {
+            if (one.kind == graphs.size() + 1) {
+                graphs.push_back(&one.graph);
+            }
+        }
+        for (std::size_t kind = 1; kind < graphs.size(); ++kind) {
+            KindComparison nearest{kind + 1, 1, differenceOf(*graphs[kind], *graphs[0])};
+            for (std::size_t with = 1; with < kind; ++with) {
+                KindDifference difference = differenceOf(*graphs[kind], *graphs[with]);
+                if (difference.size() < nearest.difference.size()) {
+                    nearest = {kind + 1, with + 1, std::move(difference)};
+                }
+            }
+            report_.comparisons.push_back(std::move(nearest));
+        }
+    }
+
+    void explainSolutions() {
+        std::vector<SolutionReport*> reports;
+        std::vector<Solution const*> solutions;
+        for (SolvedBy const& solved : solving(reports)) {
+            solutions.push_back(solved.solution);
+        }
+        auto chains = chainsOf(level_, runs_, solutions, report_.goals, workers_);
+        for (std::size_t i = 0; i < reports.size(); ++i) {
+            reports[i]->chains = std::move(chains[i]);
         }
     }
 

@@ -5,6 +5,8 @@
 #include "insight/ablation/needs.hpp"
 #include "insight/cost/accuracy_needed.hpp"
 #include "insight/kind/cause_graph.hpp"
+#include "insight/kind/kind_difference.hpp"
+#include "insight/report/chains.hpp"
 #include "insight/robustness/robustness.hpp"
 #include "insight/search/search.hpp"
 
@@ -19,6 +21,7 @@ namespace trembler::insight {
 struct ReportOptions {
     RobustnessOptions robustness = {};
     int drops = 100;          ///< runs with each single part dropped at random
+    bool chains = true;       ///< why each solution meets the goals
     bool maps = false;        ///< where each part may lie
     double mapStep = 0.05;    ///< m
     int mapReach = 4;         ///< steps to each side
@@ -33,12 +36,23 @@ struct ReportOptions {
 
 struct SolutionReport {
     std::string name;
-    bool expected = true; ///< recorded as a solution, and not as a run that does not solve the level
+    /// Recorded as a solution, and not as a run that does not solve the level; of a task: it solves it.
+    bool expected = true;
+    bool hasParts = false; ///< the recorded run places some ...
+    bool hasDeeds = false; ///< ... or has something done in it by hand
     Needs needs;
-    CauseGraph graph;     ///< of `needs.least`
-    std::size_t kind = 0; ///< solutions of one kind have the same number, from 1; 0: it does not solve
+    CauseGraph graph;           ///< of `needs.least`
+    std::size_t kind = 0;       ///< solutions of one kind have the same number, from 1; 0: it does not solve
+    std::vector<Answer> chains; ///< for each goal, in the level's order, why the recorded run meets it
     Robustness robustness;
     std::vector<PlaceMap> maps;
+};
+
+/// How a kind of solutions differs from the one of those before it that differs least.
+struct KindComparison {
+    std::size_t kind = 2; ///< `here` in the difference
+    std::size_t with = 1; ///< `there`
+    KindDifference difference;
 };
 
 struct LevelReport {
@@ -47,9 +61,12 @@ struct LevelReport {
     std::uint64_t seed = 1;
     Jitter jitter;
     bool demonstration = false; ///< it is meant to reach its goals by itself
+    bool task = false;          ///< its goals are the task of a demonstration
+    std::vector<ReportedGoal> goals;
     bool emptyToolboxSolves = false;
     std::vector<SolutionReport> solutions;
     std::size_t kinds = 0;
+    std::vector<KindComparison> comparisons; ///< for each kind from the second on
     std::vector<Drop> drops;
     std::vector<EffectCost> costs;
     std::vector<WayToCompute> ways;

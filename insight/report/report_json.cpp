@@ -1,4 +1,5 @@
 #include "insight/report/report_text.hpp"
+#include "insight/why/words.hpp"
 #include "runtime/level/write/write_level.hpp"
 
 #include <nlohmann/json.hpp>
@@ -19,7 +20,24 @@ Json mapJson(PlaceMap const& map) {
     return made;
 }
 
-Json solutionJson(SolutionReport const& solution) {
+Json sideJson(GraphSide const& side) {
+    Json made;
+    made["parts"] = side.parts;
+    made["deeds"] = side.deeds;
+    made["links"] = side.links;
+    return made;
+}
+
+Json comparisonJson(KindComparison const& one) {
+    Json made;
+    made["kind"] = one.kind;
+    made["with"] = one.with;
+    made["only_here"] = sideJson(one.difference.here);
+    made["only_there"] = sideJson(one.difference.there);
+    return made;
+}
+
+Json solutionJson(LevelReport const& report, SolutionReport const& solution) {
     Json made;
     made["name"] = solution.name;
     made["expected_to_solve"] = solution.expected;
@@ -35,9 +53,15 @@ Json solutionJson(SolutionReport const& solution) {
     made["needs_effects"] = solution.needs.effects;
     made["superfluous"] = solution.needs.superfluous;
     made["superfluous_effects"] = solution.needs.idleEffects;
-    made["robustness"] = solution.robustness.share();
+    bool const displaced = solution.robustness.runs > 0;
+    made["robustness"] = displaced ? Json(solution.robustness.share()) : Json();
     made["robustness_runs"] = solution.robustness.runs;
     made["robustness_redrawn"] = solution.robustness.redrawn;
+    made["chains"] = Json::array();
+    for (Answer const& answer : solution.chains) {
+        made["chains"].push_back(
+            toJson(answer, "goal " + answer.goal, goalText(report, answer.goal), AnswerLanguage()));
+    }
     if (!solution.maps.empty()) {
         made["places"] = Json::array();
         for (PlaceMap const& map : solution.maps) {
@@ -67,13 +91,20 @@ nlohmann::ordered_json toJson(LevelReport const& report) {
     made["level"] = report.level;
     made["complete"] = report.complete;
     made["demonstration"] = report.demonstration;
+    made["task"] = report.task;
     made["empty_toolbox_solves"] = report.emptyToolboxSolves;
     made["seed"] = report.seed;
-    made["jitter"] = {{"cm", 100 * report.jitter.distance}, {"degrees", report.jitter.angle}};
+    made["jitter"] = {{"cm", 100 * report.jitter.distance},
+                      {"degrees", report.jitter.angle},
+                      {"seconds", report.jitter.seconds}};
     made["kinds"] = report.kinds;
     made["solutions"] = Json::array();
     for (SolutionReport const& solution : report.solutions) {
-        made["solutions"].push_back(solutionJson(solution));
+        made["solutions"].push_back(solutionJson(report, solution));
+    }
+    made["differences"] = Json::array();
+    for (KindComparison const& one : report.comparisons) {
+        made["differences"].push_back(comparisonJson(one));
     }
     made["drops"] = Json::array();
     for (Drop const& drop : report.drops) {

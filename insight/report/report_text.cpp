@@ -1,9 +1,13 @@
 #include "insight/report/report_text.hpp"
 
+#include "insight/why/words.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 namespace trembler::insight {
 namespace {
@@ -31,14 +35,34 @@ Drop const* luckiest(LevelReport const& report) {
     return most == report.drops.end() || most->solved == 0 ? nullptr : &*most;
 }
 
-double leastRobust(LevelReport const& report) {
-    double least = 1;
+/// In percent; "–" if nothing in any solution could be displaced.
+std::string leastRobust(LevelReport const& report) {
+    std::optional<double> least;
     for (SolutionReport const& solution : report.solutions) {
         if (solution.expected && solution.needs.solves && solution.robustness.runs > 0) {
-            least = std::min(least, solution.robustness.share());
+            least = std::min(least.value_or(1), solution.robustness.share());
         }
     }
-    return least;
+    return least ? percent(*least) : "–";
+}
+
+/// The sentences of a chain, and whether each was confirmed.
+std::string toldChain(LevelReport const& report, Answer const& answer) {
+    return fmt::format("{}{}",
+                       fmt::join(sentencesOf(answer, goalText(report, answer.goal), AnswerLanguage()), " "),
+                       answer.confirmed ? "" : " (Traced, not confirmed in all steps.)");
+}
+
+/// "only with kind 2: ...; only with kind 1: ...".
+std::string toldComparison(KindComparison const& one) {
+    std::string text;
+    for (auto const& [kind, side] :
+         {std::pair(one.kind, &one.difference.here), {one.with, &one.difference.there}}) {
+        if (side->size() > 0) {
+            text += fmt::format("{}only with kind {}: {}", text.empty() ? "" : "; ", kind, inWords(*side));
+        }
+    }
+    return text;
 }
 
 std::string tableRow(LevelReport const& report) {
@@ -47,11 +71,25 @@ std::string tableRow(LevelReport const& report) {
                                        [](SolutionReport const& one) { return one.needs.solves; });
     std::string const faults =
         report.demonstration ? "a demonstration" : fmt::format("{}", fmt::join(shortcomings(report), "; "));
-    return fmt::format("| {} | {} | {} | {} | {} | {} |\n", inCell(report.level), solving, report.kinds,
-                       percent(leastRobust(report)),
-                       lucky == nullptr ? "–"
-                                        : fmt::format("{}, {}", inCell(lucky->part), percent(lucky->share())),
-                       inCell(faults));
+    return fmt::format(
+        "| {} | {} | {} | {} | {} | {} |\n", inCell(report.level + (report.task ? " (task)" : "")), solving,
+        report.kinds, leastRobust(report),
+        lucky == nullptr ? "–" : fmt::format("{}, {}", inCell(lucky->part), percent(lucky->share())),
+        inCell(faults));
+}
+
+/// Why each solution solves it, and how the kinds differ, as a list.
+std::string chainList(LevelReport const& report) {
+    std::string text;
+    for (SolutionReport const& one : report.solutions) {
+        for (Answer const& answer : one.chains) {
+            text += fmt::format("- *{}*: {}\n", one.name, toldChain(report, answer));
+        }
+    }
+    for (KindComparison const& one : report.comparisons) {
+        text += fmt::format("- Kind {} differs from kind {}: {}.\n", one.kind, one.with, toldComparison(one));
+    }
+    return text.empty() ? text : "\n" + text;
 }
 
 std::string section(LevelReport const& report) {
@@ -69,8 +107,12 @@ std::string section(LevelReport const& report) {
                             inCell(inWords(one.graph)), inCell(listed(one.needs.parts)),
                             inCell(listed(one.needs.deeds)), inCell(listed(one.needs.effects)),
                             inCell(listed(one.needs.superfluous)));
-        text += displaced ? fmt::format(" {} of {} |\n", one.robustness.solved, one.robustness.runs) : "\n";
+        bool const none = one.robustness.runs == 0;
+        text += !displaced ? "\n"
+                : none     ? " – |\n"
+                           : fmt::format(" {} of {} |\n", one.robustness.solved, one.robustness.runs);
     }
+    text += chainList(report);
     for (SolutionReport const& one : report.solutions) {
         for (PlaceMap const& map : one.maps) {
             text += fmt::format("\nWhere *{}* may lie in *{}*, in steps of {:.0f} cm:\n\n```\n{}\n```\n",
@@ -119,6 +161,12 @@ std::string cheapestWays(LevelReport const& report) {
 
 } // namespace
 
+std::string goalText(LevelReport const& report, std::string const& id) {
+    auto const at = std::find_if(report.goals.begin(), report.goals.end(),
+                                 [&](ReportedGoal const& goal) { return goal.id == id; });
+    return at == report.goals.end() ? id : at->text;
+}
+
 std::string toMarkdownTable(std::vector<LevelReport> const& reports) {
     std::string text = "| level | solutions | kinds | least robust | luckiest single part | falls short |\n"
                        "|---|---|---|---|---|---|\n";
@@ -154,10 +202,14 @@ std::string toWords(LevelReport const& report) {
                             one.kind, inWords(one.graph), listed(one.needs.parts), listed(one.needs.effects),
                             listed(one.needs.superfluous));
         if (one.robustness.runs > 0) {
-            text += fmt::format("    displaced by up to {:.1f} cm and {:.1f} degrees it succeeds in {} of {} "
-                                "runs\n",
-                                100 * report.jitter.distance, report.jitter.angle, one.robustness.solved,
-                                one.robustness.runs);
+            text +=
+                fmt::format("    displaced by up to {:.1f} cm, {:.1f} degrees and {:.2f} s it succeeds in {} "
+                            "of {} runs\n",
+                            100 * report.jitter.distance, report.jitter.angle, report.jitter.seconds,
+                            one.robustness.solved, one.robustness.runs);
+        }
+        for (Answer const& answer : one.chains) {
+            text += fmt::format("    why: {}\n", toldChain(report, answer));
         }
         for (PlaceMap const& map : one.maps) {
             text += fmt::format("    where {} may lie, in steps of {:.0f} cm:\n", map.part, 100 * map.step);
@@ -165,6 +217,9 @@ std::string toWords(LevelReport const& report) {
                 text += "      " + row + "\n";
             }
         }
+    }
+    for (KindComparison const& one : report.comparisons) {
+        text += fmt::format("  kind {} differs from kind {}: {}\n", one.kind, one.with, toldComparison(one));
     }
     for (Drop const& drop : report.drops) {
         if (drop.solved > 0) {

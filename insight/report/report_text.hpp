@@ -15,6 +15,9 @@ namespace trembler::insight {
 /// One found solution: kind, parts, deeds, effects, when it was found, and the solution itself.
 [[nodiscard]] nlohmann::ordered_json toJson(FoundSolution const& found);
 
+/// A goal's sentence in English, by its id.
+[[nodiscard]] std::string goalText(LevelReport const& report, std::string const& id);
+
 /// One table: a row for each level, with what falls short. Like toMarkdown() without times, so that it is
 /// the same on every machine.
 [[nodiscard]] std::string toMarkdownTable(std::vector<LevelReport> const& reports);

@@ -34,12 +34,12 @@ std::vector<Robustness> robustnessOf(LevelUnderTest const& level, std::vector<So
     std::vector<std::string> keys;
     for (std::size_t i = 0; i < solutions.size(); ++i) {
         Solution const& solution = *solutions[i].solution;
-        int const count = solution.placements.empty() ? 0 : options.runs;
+        int const count = canBeDisplaced(solution) ? options.runs : 0;
         for (int n = 0; n < count; ++n) {
             runs.push_back({i, static_cast<std::uint64_t>(n)});
-            keys.push_back(fmt::format("robustness/{}/{}/{}/{}/{}",
-                                       nameInKeys(level, solution, patienceFor(solutions[i])), options.seed,
-                                       options.jitter.distance, options.jitter.angle, n));
+            keys.push_back(fmt::format(
+                "robustness/{}/{}/{}/{}/{}/{}", nameInKeys(level, solution, patienceFor(solutions[i])),
+                options.seed, options.jitter.distance, options.jitter.angle, options.jitter.seconds, n));
         }
     }
     auto const results = workers.share(keys, [&](std::size_t index) {

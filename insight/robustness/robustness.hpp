@@ -1,4 +1,4 @@
-// How exactly a solution's parts must be placed.
+// How exactly a solution's parts must be placed, and its deeds done.
 #pragma once
 
 #include "insight/robustness/jitter.hpp"
@@ -34,8 +34,9 @@ struct SolvedBy {
 /// For how long a displaced run may last: patience(), but never longer than the recording states.
 [[nodiscard]] std::uint64_t patienceFor(SolvedBy const& solved);
 
-/// Runs each solution with displaced placements. Run n of a solution has its own random numbers, from the
-/// seed, the level, the solution and n, none of their words. A solution without placements gets none.
+/// Runs each solution with displaced placements and deeds. Run n of a solution has its own random numbers,
+/// from the seed, the level, the solution and n, none of their words. A solution of wires only, or of
+/// nothing, gets none.
 [[nodiscard]] std::vector<Robustness> robustnessOf(LevelUnderTest const& level,
                                                    std::vector<SolvedBy> const& solutions,
                                                    RobustnessOptions const& options, Workers& workers);

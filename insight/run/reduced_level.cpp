@@ -1,5 +1,6 @@
 #include "insight/run/reduced_level.hpp"
 
+#include "insight/run/placed_names.hpp"
 #include "physics/dynamics/properties/joint.hpp"
 #include "puzzle/data/effects.hpp"
 #include "runtime/level/build/joint_names.hpp"
@@ -56,7 +57,53 @@ Indices jointsOf(LevelFile const& level, std::set<std::string> const& objects, I
     return joints;
 }
 
+/// Lets inputs and wires name what is left of the placed objects as the reduced run does. A wire to one that
+/// is gone goes with it, as in the game.
+void renameIn(Solution& solution, PlacedNames const& names) {
+    std::erase_if(solution.wires,
+                  [&](LevelConnection const& wire) { return names.isGone(wire.a) || names.isGone(wire.b); });
+    for (LevelConnection& wire : solution.wires) {
+        wire.a = names.inReduced(wire.a);
+        wire.b = names.inReduced(wire.b);
+    }
+    for (RecordedInput& input : solution.inputs) {
+        input.object = names.inReduced(input.object);
+        input.other = names.inReduced(input.other);
+    }
+}
+
+/// The solution without entries of it.
+Solution without(LevelFile const& level, Solution solution, std::map<LeftOut::Kind, Indices>& gone) {
+    PlacedNames const names(level, solution.placements, gone[LeftOut::Kind::placement]);
+    eraseThose(solution.wires, gone[LeftOut::Kind::wire], "wire");
+    eraseThose(solution.inputs, gone[LeftOut::Kind::input], "input");
+    eraseThose(solution.placements, gone[LeftOut::Kind::placement], "placement");
+    if (!names.empty()) {
+        renameIn(solution, names);
+    }
+    return solution;
+}
+
 } // namespace
+
+Solution reducedSolution(LevelFile const& level, Solution const& solution,
+                         std::vector<LeftOut> const& leftOut) {
+    std::map<LeftOut::Kind, Indices> gone;
+    for (LeftOut const& one : leftOut) {
+        gone[one.kind].insert(one.index);
+    }
+    return without(level, solution, gone);
+}
+
+PlacedNames namesWithout(LevelFile const& level, Variation const& variation) {
+    Indices gone;
+    for (LeftOut const& one : variation.leftOut) {
+        if (one.kind == LeftOut::Kind::placement && one.index < variation.solution.placements.size()) {
+            gone.insert(one.index);
+        }
+    }
+    return {level, variation.solution.placements, gone};
+}
 
 ReducedLevel reduced(LevelFile const& level, Variation const& variation) {
     std::map<LeftOut::Kind, Indices> indices;
@@ -86,9 +133,12 @@ ReducedLevel reduced(LevelFile const& level, Variation const& variation) {
     }
     std::sort(left.touches.begin(), left.touches.end(),
               [](LeftOut const& x, LeftOut const& y) { return x.from < y.from; });
-    eraseThose(left.solution.placements, indices[LeftOut::Kind::placement], "placement");
-    eraseThose(left.solution.wires, indices[LeftOut::Kind::wire], "wire");
-    eraseThose(left.solution.inputs, indices[LeftOut::Kind::input], "input");
+    PlacedNames const names = namesWithout(level, variation);
+    for (LeftOut& touch : left.touches) {
+        touch.a = names.inReduced(touch.a);
+        touch.b = names.inReduced(touch.b);
+    }
+    left.solution = without(level, std::move(left.solution), indices);
     eraseThose(left.level.connections, indices[LeftOut::Kind::connection], "connection");
     eraseThose(left.level.joints, jointsOf(level, objects, indices[LeftOut::Kind::joint]), "joint");
     std::erase_if(left.level.objects,

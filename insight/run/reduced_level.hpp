@@ -1,6 +1,7 @@
 // A level and a solution without what a variation leaves out of them.
 #pragma once
 
+#include "insight/run/placed_names.hpp"
 #include "insight/run/variation.hpp"
 
 #include <set>
@@ -19,8 +20,17 @@ struct ReducedLevel {
 
 /// Takes a variation's placements, wires, inputs, objects, joints and connections out. With an object go its
 /// joints, gears between those, and connections. Names of placed parts follow from their part and place, so
-/// they may differ from those of the whole run. Throws std::invalid_argument for an index or a name that does
-/// not exist.
+/// they may differ from those of the whole run, see PlacedNames: wires, inputs and touches name the same
+/// objects as before, and a wire to a placed part goes with the part. Throws std::invalid_argument for an
+/// index or a name that does not exist.
 [[nodiscard]] ReducedLevel reduced(LevelFile const& level, Variation const& variation);
+
+/// The solution alone without placements, wires and inputs; of the rest of what is left out nothing. Throws
+/// as reduced().
+[[nodiscard]] Solution reducedSolution(LevelFile const& level, Solution const& solution,
+                                       std::vector<LeftOut> const& leftOut);
+
+/// The names of placed objects in the run of a variation.
+[[nodiscard]] PlacedNames namesWithout(LevelFile const& level, Variation const& variation);
 
 } // namespace trembler::insight

@@ -36,7 +36,8 @@ LevelUnderTest::LevelUnderTest(GameData const& data, std::filesystem::path const
     : LevelUnderTest(data, loadLevel(data.registry, file), data.shortName(file)) {}
 
 LevelUnderTest::LevelUnderTest(GameData const& data, LevelFile level, std::string name)
-    : data_(data), level_(asPlayed(std::move(level), "")), name_(std::move(name)) {
+    : data_(data), task_(level.demonstration && !level.task.is_null()),
+      level_(asPlayed(std::move(level), "")), name_(std::move(name)) {
     if (level_.goals.is_null()) {
         throw std::invalid_argument(fmt::format("{}: the level has no goals, so nothing solves it", name_));
     }

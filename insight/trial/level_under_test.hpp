@@ -30,12 +30,16 @@ public:
     [[nodiscard]] std::string const& identity() const { return identity_; }
     /// The level's world before its first frame, without any part of the toolbox.
     [[nodiscard]] World const& world() const { return *world_; }
+    /// Whether its goals are the task of a demonstration. Its recorded solutions are then expected to reach
+    /// what the demonstration reaches by itself, and some of them the task.
+    [[nodiscard]] bool isTask() const { return task_; }
     /// How long the goals' conditions must hold altogether, in frames: a world at rest has no other future
     /// than this to offer to them.
     [[nodiscard]] std::uint64_t holdingFrames() const { return holdingFrames_; }
 
 private:
     GameData const& data_;
+    bool task_;
     LevelFile level_;
     std::string name_;
     std::string identity_;

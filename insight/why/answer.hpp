@@ -50,6 +50,9 @@ struct ChainStep {
     Proof proof = Proof::traced;
     /// m, in the world, at its moment: of a contact, where the two touched; else where its first object was.
     Vec2 at;
+    /// How often it happened in the chain; earlier times of what repeats are not in it, see foldRepeats().
+    std::size_t times = 1;
+    std::size_t cycle = 0; ///< steps that were repeated together have the same number, from 1; 0: once
 };
 
 struct Answer {

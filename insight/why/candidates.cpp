@@ -1,6 +1,9 @@
 #include "insight/why/candidates.hpp"
 
+#include "insight/why/deed_steps.hpp"
+
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <utility>
 
@@ -9,41 +12,23 @@ namespace {
 
 using Pair = std::pair<std::string, std::string>;
 
-/// The inputs of a grip: from the grab on until the hand lets go.
-std::vector<LeftOut> grip(Solution const& solution, Step const& step) {
+std::vector<LeftOut> leftOutOf(Deed const* deed) {
     std::vector<LeftOut> all;
-    int hand = -1;
-    for (std::size_t i = 0; i < solution.inputs.size(); ++i) {
-        RecordedInput const& input = solution.inputs[i];
-        if (hand < 0 && input.kind == PlayerInput::Kind::grab && input.frame == step.frame &&
-            input.object == step.objects.front()) {
-            hand = input.hand;
-            all.push_back(withoutInput(i));
-        } else if (hand >= 0 && input.hand == hand) {
-            if (input.kind == PlayerInput::Kind::grab) {
-                break;
-            }
-            if (input.kind == PlayerInput::Kind::move || input.kind == PlayerInput::Kind::release) {
-                all.push_back(withoutInput(i));
-            }
-            if (input.kind == PlayerInput::Kind::release) {
-                break;
-            }
-        }
+    if (deed != nullptr) {
+        std::transform(deed->inputs.begin(), deed->inputs.end(), std::back_inserter(all), withoutInput);
     }
     return all;
 }
 
-std::vector<LeftOut> deed(Solution const& solution, Step const& step, PlayerInput::Kind kind) {
-    for (std::size_t i = 0; i < solution.inputs.size(); ++i) {
-        RecordedInput const& input = solution.inputs[i];
-        bool const same = input.object == step.objects.front() ||
-                          (step.objects.size() > 1 && input.object == step.objects[1]);
-        if (input.kind == kind && input.frame == step.frame && same) {
-            return {withoutInput(i)};
+/// All wires between the two objects.
+std::vector<LeftOut> wiresOf(Step const& step, Solution const& solution) {
+    std::vector<LeftOut> all;
+    for (std::size_t i = 0; i < solution.wires.size(); ++i) {
+        if (solution.wires[i].a == step.objects[0] && solution.wires[i].b == step.objects[1]) {
+            all.push_back(withoutWire(i));
         }
     }
-    return {};
+    return all;
 }
 
 } // namespace
@@ -62,11 +47,15 @@ bool isGranted(Step const& step, SceneFacts const& facts) {
 std::vector<Candidate> candidatesOf(Story const& story, SceneFacts const& facts, Solution const& solution,
                                     bool everything) {
     std::vector<Candidate> all;
+    DeedFinder deeds(solution);
     std::map<Pair, std::size_t> contacts;
     std::map<Pair, std::size_t> dips;
     std::vector<std::size_t> const& proximate = story.askedStep().because;
     for (std::size_t i = 0; i < story.steps.size(); ++i) {
         Step const& step = story.steps[i];
+        if (step.bridge) {
+            continue;
+        }
         std::vector<LeftOut> leftOut;
         switch (step.kind) {
         case StepKind::contact: {
@@ -107,14 +96,13 @@ std::vector<Candidate> candidatesOf(Story const& story, SceneFacts const& facts,
         case StepKind::placed:
             leftOut = {withoutPlacement(facts.placementOf.at(step.objects.front()))};
             break;
+        case StepKind::wired:
+            leftOut = wiresOf(step, solution);
+            break;
         case StepKind::grabbed:
-            leftOut = grip(solution, step);
-            break;
         case StepKind::cut:
-            leftOut = deed(solution, step, PlayerInput::Kind::cut);
-            break;
         case StepKind::removed:
-            leftOut = deed(solution, step, PlayerInput::Kind::remove);
+            leftOut = leftOutOf(deeds.find(step));
             break;
         default:
             break;

@@ -17,7 +17,7 @@ struct KindText {
     std::string_view main;
     std::string_view because;
 };
-constexpr std::array<KindText, 13> kindTexts{
+constexpr std::array<KindText, 14> kindTexts{
     {{StepKind::contact, "{} touches {}", "because {} touches {}"},
      {StepKind::apart, "{} no longer touches {}", "because {} no longer touches {}"},
      {StepKind::on, "current flows through {}", "because current flows through {}"},
@@ -30,6 +30,7 @@ constexpr std::array<KindText, 13> kindTexts{
      {StepKind::released, "you let go of {}", "because you let go of {}"},
      {StepKind::cut, "you cut the wire between {} and {}", "because you cut the wire between {} and {}"},
      {StepKind::removed, "you removed {}", "because you removed {}"},
+     {StepKind::wired, "you connected {} and {}", "because you connected {} and {}"},
      {StepKind::placed, "you laid {} there before the start", "because you laid {} there before the start"}}};
 
 /// The same of events that only some effects record; the gaps are the first objects.

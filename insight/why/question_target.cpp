@@ -1,5 +1,6 @@
 #include "insight/why/question_target.hpp"
 
+#include "insight/why/deed_steps.hpp"
 #include "runtime/level/json/suggestion.hpp"
 #include "runtime/trace/tracer.hpp"
 
@@ -125,22 +126,29 @@ bool isDecided(LevelRun const& run, Question const& question) {
            });
 }
 
-void describe(Target& target, std::span<Event const> events, Event const& event, SceneFacts const& facts) {
+void describe(Target& target, std::span<Event const> events, Event const& event, SceneFacts const& facts,
+              Solution const& solution) {
     target.event = event.id;
     target.component = event.component;
     target.what = event.event;
     target.objects = event.objects;
     target.frame = event.frame;
     target.times = std::max<std::size_t>(1, timesIn(events, target, event.frame));
-    target.story = storyOf(events, event.id, facts);
+    target.story = withDeeds(storyOf(events, event.id, facts), solution, facts, events);
 }
 
 } // namespace
 
-std::size_t timesIn(std::span<Event const> events, Target const& target, std::uint64_t frame) {
+std::size_t timesIn(std::span<Event const> events, Target const& target, std::uint64_t frame,
+                    PlacedNames const& names) {
+    // A goal that is met is the same goal whatever objects meet it, as one that counts.
+    bool const isGoal = target.goal.has_value();
     return static_cast<std::size_t>(std::count_if(events.begin(), events.end(), [&](Event const& event) {
         return event.frame <= frame && event.event == target.what && event.component == target.component &&
-               event.objects == target.objects;
+               (isGoal || std::equal(event.objects.begin(), event.objects.end(), target.objects.begin(),
+                                     target.objects.end(), [&](auto const& here, auto const& wanted) {
+                                         return names.inWhole(here) == wanted;
+                                     }));
     }));
 }
 
@@ -182,7 +190,7 @@ Target findTarget(LevelRuns const& runs, Solution const& solution, Question cons
         if (!aboutGoal) {
             try {
                 describe(target, events, askedEvent(events, question, answer.facts, run.world()),
-                         answer.facts);
+                         answer.facts, solution);
             } catch (NothingHappened const& error) { // no fault of the run
                 nothing = error.what();
             }
@@ -197,7 +205,7 @@ Target findTarget(LevelRuns const& runs, Solution const& solution, Question cons
             return event.phase == Phase::goal && event.event == "goal met: " + *target.goal;
         });
         if (met != events.end()) {
-            describe(target, events, *met, answer.facts);
+            describe(target, events, *met, answer.facts, solution);
         }
         for (std::size_t i = 0; i < meter->result().goals.size(); ++i) {
             if (meter->result().goals[i].id == *target.goal && met == events.end()) {

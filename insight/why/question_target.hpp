@@ -1,6 +1,7 @@
 // Finds what a question is about, in a first run.
 #pragma once
 
+#include "insight/run/placed_names.hpp"
 #include "insight/why/answer.hpp"
 #include "insight/why/step_places.hpp"
 
@@ -25,7 +26,8 @@ struct Target {
 [[nodiscard]] Target findTarget(LevelRuns const& runs, Solution const& solution, Question const& question,
                                 AskOptions const& options, Answer& answer);
 
-/// How often an event happened in a trace up to a frame.
-[[nodiscard]] std::size_t timesIn(std::span<Event const> events, Target const& target, std::uint64_t frame);
+/// How often an event happened in a trace up to a frame. `names` are those of the placed objects in that run.
+[[nodiscard]] std::size_t timesIn(std::span<Event const> events, Target const& target, std::uint64_t frame,
+                                  PlacedNames const& names = {});
 
 } // namespace trembler::insight

@@ -1,11 +1,14 @@
 #include "insight/why/second_runs.hpp"
 
+#include "insight/run/reduced_level.hpp"
+#include "insight/why/deed_steps.hpp"
 #include "insight/why/side_by_side.hpp"
 #include "runtime/trace/tracer.hpp"
 
 #include <algorithm>
 #include <map>
 #include <numeric>
+#include <set>
 #include <utility>
 
 namespace trembler::insight {
@@ -20,18 +23,22 @@ std::uint64_t horizonOf(std::uint64_t frame) {
 using Signature = std::pair<std::string, std::vector<std::string>>;
 
 /// Which steps of a story happen in a trace, as often as in the story.
-std::vector<bool> happening(Story const& story, std::span<Event const> events) {
+std::vector<bool> happening(Story const& story, std::span<Event const> events, PlacedNames const& names) {
     std::map<Signature, std::size_t> times;
     for (Event const& event : events) {
         // A contact may be brief in one run and last in another.
         bool const contact = kindOf(event) == StepKind::contact;
-        ++times[{contact ? "contact" : event.event, event.objects}];
+        std::vector<std::string> objects = event.objects;
+        std::transform(objects.begin(), objects.end(), objects.begin(),
+                       [&](std::string const& name) { return names.inWhole(name); });
+        ++times[{contact ? "contact" : event.event, std::move(objects)}];
     }
     std::map<Signature, std::size_t> wanted;
     std::vector<bool> found;
     for (Step const& step : story.steps) {
         Signature const one{step.kind == StepKind::contact ? "contact" : step.what, step.objects};
-        found.push_back(step.kind == StepKind::placed || ++wanted[one] <= times[one]);
+        bool const before = step.kind == StepKind::placed || step.kind == StepKind::wired;
+        found.push_back(before || ++wanted[one] <= times[one]);
     }
     return found;
 }
@@ -39,9 +46,9 @@ std::vector<bool> happening(Story const& story, std::span<Event const> events) {
 } // namespace
 
 SecondRuns::SecondRuns(LevelRuns const& runs, Solution const& solution, Target const& target,
-                       AskOptions const& options)
-    : runs_(runs), solution_(solution), target_(target), options_(options), horizon_(horizonOf(target.frame)),
-      threads_(threadsFor(options.threads)) {}
+                       SceneFacts const& facts, AskOptions const& options)
+    : runs_(runs), solution_(solution), target_(target), facts_(facts), options_(options),
+      horizon_(horizonOf(target.frame)), threads_(threadsFor(options.threads)) {}
 
 bool SecondRuns::noteRun(std::size_t planned) {
     std::scoped_lock const lock(noting_);
@@ -71,6 +78,7 @@ SecondRuns::Outcome SecondRuns::without(std::vector<Candidate> const& candidates
     std::sort(variation.leftOut.begin(), variation.leftOut.end());
     variation.leftOut.erase(std::unique(variation.leftOut.begin(), variation.leftOut.end()),
                             variation.leftOut.end());
+    PlacedNames const names = namesWithout(runs_.level(), variation);
     Outcome outcome;
     bool stopped = false;
     std::size_t seen = 0; // events of the trace
@@ -78,7 +86,7 @@ SecondRuns::Outcome SecondRuns::without(std::vector<Candidate> const& candidates
     RunObserver observer;
     observer.frame = [&](LevelRun const& run) {
         std::span<Event const> const events = run.world().tracer()->events();
-        times += timesIn(events.subspan(seen), target_, horizon_);
+        times += timesIn(events.subspan(seen), target_, horizon_, names);
         seen = events.size();
         stopped = stops();
         return !stopped && times < target_.times;
@@ -87,7 +95,7 @@ SecondRuns::Outcome SecondRuns::without(std::vector<Candidate> const& candidates
         bool const happens = times >= target_.times;
         outcome.kind = happens ? Outcome::Kind::happens : Outcome::Kind::prevented;
         if (!happens) {
-            outcome.steps = happening(target_.story, run.world().tracer()->events());
+            outcome.steps = happening(target_.story, run.world().tracer()->events(), names);
         }
     };
     RunResult const result =
@@ -157,69 +165,110 @@ void SecondRuns::makeSmallest(std::vector<Candidate> const& candidates, Set& set
     }
 }
 
-void SecondRuns::noteVanished(std::vector<Proof>& proofs, std::vector<std::size_t> const& from,
-                              Outcome const& outcome, Proof proof) const {
+void SecondRuns::noteVanished(Tested& tested, std::vector<std::size_t> const& from, Outcome const& outcome,
+                              Proof proof) const {
     std::vector<Step> const& steps = target_.story.steps;
     std::vector<bool> follows(steps.size());
     for (std::size_t const i : from) {
         follows[i] = true;
     }
+    std::set<std::size_t> effects; // that no step of the trace connects with the cause
     for (std::size_t i = 0; i < steps.size(); ++i) {
-        bool const after = std::any_of(steps[i].because.begin(), steps[i].because.end(),
-                                       [&](std::size_t cause) { return follows[cause]; });
+        bool const after =
+            effects.contains(i) || std::any_of(steps[i].because.begin(), steps[i].because.end(),
+                                               [&](std::size_t cause) { return follows[cause]; });
+        if (follows[i] || after) {
+            if (auto const effect = tested.effects.find(i); effect != tested.effects.end()) {
+                effects.insert(effect->second);
+            }
+        }
         if (follows[i] || !after) {
             continue;
         }
         follows[i] = true;
         bool const vanished = i < outcome.steps.size() && !outcome.steps[i];
-        if ((vanished || i == target_.story.asked) && proofs[i] == Proof::traced) {
-            proofs[i] = proof;
+        if ((vanished || i == target_.story.asked) && tested.proofs[i] == Proof::traced) {
+            tested.proofs[i] = proof;
         }
     }
 }
 
-std::vector<Proof> SecondRuns::test(std::vector<Candidate> const& candidates) {
-    std::vector<Proof> proofs(target_.story.steps.size(), Proof::traced);
-    Set refuted;
-    auto const mark = [&](std::size_t candidate, Proof proof) {
-        for (std::size_t const step : candidates[candidate].steps) {
-            proofs[step] = proof;
+void SecondRuns::note(Tested& tested, std::vector<std::size_t> const& steps, Outcome const& outcome,
+                      Proof proof) const {
+    Story const& story = target_.story;
+    for (std::size_t const step : steps) {
+        tested.proofs[step] = proof;
+        if (story.steps[step].traced) {
+            continue;
         }
-    };
+        std::size_t effect = step + 1;
+        while (effect < story.asked &&
+               (!story.steps[effect].traced || story.steps[effect].bridge || outcome.steps[effect] ||
+                tested.proofs[effect] == Proof::refuted || isGranted(story.steps[effect], facts_))) {
+            ++effect;
+        }
+        auto const bridge = story.bridges.find(step);
+        bool const bridged =
+            bridge != story.bridges.end() && bridge->second < effect && !outcome.steps[bridge->second];
+        tested.effects[bridged ? bridge->second : step] = effect;
+    }
+    noteVanished(tested, steps, outcome, proof);
+}
+
+void SecondRuns::testTogether(Tested& tested, std::vector<Candidate> const& candidates, Set some) {
+    if (some.size() < 2 || !complete_) {
+        return;
+    }
+    Outcome outcome = without(candidates, some);
+    noteRun(done_ + 1);
+    if (outcome.kind != Outcome::Kind::prevented) {
+        return;
+    }
+    makeSmallest(candidates, some, outcome);
+    std::vector<std::size_t> steps;
+    for (std::size_t const i : some) {
+        steps.insert(steps.end(), candidates[i].steps.begin(), candidates[i].steps.end());
+    }
+    note(tested, steps, outcome, Proof::together);
+}
+
+SecondRuns::Tested SecondRuns::test(std::vector<Candidate> const& candidates) {
+    std::vector<Step> const& steps = target_.story.steps;
+    Tested tested{std::vector<Proof>(steps.size(), Proof::traced), {}};
     std::vector<Set> alone;
     for (std::size_t i = 0; i < candidates.size(); ++i) {
         alone.push_back({i});
     }
     std::vector<Outcome> const outcomes = without(candidates, alone, true);
+    Set refuted;
+    Set deeds; // among them
+    bool deedKnown = false;
     for (std::size_t i = 0; i < candidates.size(); ++i) {
+        bool const deed = isDeed(steps[candidates[i].steps.front()].kind);
         if (outcomes[i].kind == Outcome::Kind::happens) {
-            mark(i, Proof::refuted);
+            for (std::size_t const step : candidates[i].steps) {
+                tested.proofs[step] = Proof::refuted;
+            }
             refuted.push_back(i);
+            if (deed) {
+                deeds.push_back(i);
+            }
         } else if (outcomes[i].kind == Outcome::Kind::prevented) {
-            mark(i, Proof::confirmed);
+            deedKnown = deedKnown || deed;
         }
     }
     for (std::size_t i = 0; i < candidates.size(); ++i) {
         if (outcomes[i].kind == Outcome::Kind::prevented) {
-            noteVanished(proofs, candidates[i].steps, outcomes[i], Proof::confirmed);
+            note(tested, candidates[i].steps, outcomes[i], Proof::confirmed);
         }
     }
-    if (refuted.size() < 2 || !complete_) {
-        return proofs;
+    if (!deedKnown) {
+        testTogether(tested, candidates, deeds);
     }
-    Outcome all = without(candidates, refuted);
-    noteRun(candidates.size() + 1);
-    if (all.kind != Outcome::Kind::prevented) {
-        return proofs;
+    if (deedKnown || deeds.size() < refuted.size()) {
+        testTogether(tested, candidates, refuted);
     }
-    makeSmallest(candidates, refuted, all);
-    std::vector<std::size_t> steps;
-    for (std::size_t const i : refuted) {
-        mark(i, Proof::together);
-        steps.insert(steps.end(), candidates[i].steps.begin(), candidates[i].steps.end());
-    }
-    noteVanished(proofs, steps, all, Proof::together);
-    return proofs;
+    return tested;
 }
 
 } // namespace trembler::insight

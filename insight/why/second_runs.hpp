@@ -5,6 +5,7 @@
 #include "insight/why/question_target.hpp"
 
 #include <atomic>
+#include <map>
 #include <mutex>
 #include <vector>
 
@@ -15,15 +16,22 @@ namespace trembler::insight {
 class SecondRuns {
 public:
     /// All must outlive it.
-    SecondRuns(LevelRuns const& runs, Solution const& solution, Target const& target,
+    SecondRuns(LevelRuns const& runs, Solution const& solution, Target const& target, SceneFacts const& facts,
                AskOptions const& options);
 
-    /// How well each step of the story is known. Each candidate is left out by itself. If what was asked
+    struct Tested {
+        std::vector<Proof> proofs; ///< how well each step of the story is known
+        /// Of the steps that are known, but not traced, or of the last step of the bridge from there: the
+        /// first step of the story that did not happen without them, which is the asked one at the latest.
+        std::map<std::size_t, std::size_t> effects;
+    };
+    /// Each candidate is left out by itself. If what was asked
     /// about happens without any one of some of them, but not without all of these, several would have
     /// sufficed: then a smallest set of them without which it does not happen is found by halving (delta
-    /// debugging, Zeller and Hildebrandt 2002). A step that is no candidate is confirmed if it did not happen
+    /// debugging, Zeller and Hildebrandt 2002). The same is done with the player's deeds alone if no single
+    /// one of them is known by then. A step that is no candidate is confirmed if it did not happen
     /// either in a run without one of its causes in which what was asked about did not happen.
-    [[nodiscard]] std::vector<Proof> test(std::vector<Candidate> const& candidates);
+    [[nodiscard]] Tested test(std::vector<Candidate> const& candidates);
 
     /// Those whose results were needed.
     [[nodiscard]] std::size_t runs() const { return done_; }
@@ -53,13 +61,19 @@ private:
     /// Counts a run; false, and does not, if no further ones are wanted.
     bool noteRun(std::size_t planned);
     [[nodiscard]] bool stops();
-    /// Confirms the steps between a candidate and the end that vanished with it.
-    void noteVanished(std::vector<Proof>& proofs, std::vector<std::size_t> const& from,
-                      Outcome const& outcome, Proof proof) const;
+    /// Marks the steps of candidates without which it is prevented, finds the effects of those that are not
+    /// traced, and confirms what vanished between them and the end.
+    void note(Tested& tested, std::vector<std::size_t> const& steps, Outcome const& outcome,
+              Proof proof) const;
+    void noteVanished(Tested& tested, std::vector<std::size_t> const& from, Outcome const& outcome,
+                      Proof proof) const;
+    /// If what was asked about does not happen without all of these candidates: a smallest set of them.
+    void testTogether(Tested& tested, std::vector<Candidate> const& candidates, Set some);
 
     LevelRuns const& runs_;
     Solution const& solution_;
     Target const& target_;
+    SceneFacts const& facts_;
     AskOptions const& options_;
     std::uint64_t horizon_;
     int threads_;

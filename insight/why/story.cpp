@@ -223,7 +223,9 @@ Story storyOf(std::span<Event const> events, EventId asked, SceneFacts const& fa
                   event.component,
                   event.event,
                   event.objects,
-                  {}};
+                  {},
+                  true,
+                  false};
         std::set<std::size_t> because;
         for (std::size_t const cause : causes[i]) {
             if (cause < i) {

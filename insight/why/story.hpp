@@ -5,6 +5,7 @@
 #include "runtime/trace/event.hpp"
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -28,23 +29,29 @@ enum class StepKind : std::uint8_t {
     cut,       ///< the player cut a wire
     removed,   ///< or removed an object
     placed,    ///< the player laid an object there before the start
+    wired,     ///< the player connected two objects before the start
     other,     ///< anything else that a resolver recorded
 };
 
 struct Step {
     StepKind kind = StepKind::other;
-    EventId event; ///< none for `placed`
+    EventId event; ///< none for `placed` and `wired`
     std::uint64_t frame = 0;
     std::string component; ///< as the trace has them
     std::string what;
     std::vector<std::string> objects;
     std::vector<std::size_t> because; ///< steps, ascending; each is earlier in the story than this one
+    bool traced = true;               ///< false: the trace does not connect it with what was asked about
+    /// Led there from a deed that is not traced, and leads itself to nothing in the story, see withDeeds().
+    bool bridge = false;
 };
 
 /// An event and all that led to it, in the order of the trace, placements first.
 struct Story {
     std::vector<Step> steps;
     std::size_t asked = 0; ///< the step that was asked about: the last
+    /// Of a deed that is not traced the last step of its bridge, if it has one.
+    std::map<std::size_t, std::size_t> bridges{};
 
     [[nodiscard]] Step const& askedStep() const { return steps[asked]; }
 };

@@ -1,5 +1,6 @@
 #include "insight/why/answer.hpp"
 #include "insight/why/candidates.hpp"
+#include "insight/why/fold_repeats.hpp"
 #include "insight/why/question_target.hpp"
 #include "insight/why/second_runs.hpp"
 
@@ -137,6 +138,14 @@ std::vector<StepSet> shownCauses(Story const& story, std::vector<bool> const& sh
     return result;
 }
 
+/// Makes what is known without the trace a cause of what did not happen without it.
+void connect(Story& story, SecondRuns::Tested const& tested) {
+    for (auto const& [cause, effect] : tested.effects) {
+        std::vector<std::size_t>& because = story.steps[effect].because;
+        because.insert(std::upper_bound(because.begin(), because.end(), cause), cause);
+    }
+}
+
 void tell(Answer& answer, Target const& target, std::vector<Proof> const& proofs, bool everything) {
     Story const& story = target.story;
     std::vector<bool> shown = shownSteps(story, proofs, answer.facts, everything);
@@ -166,6 +175,7 @@ void tell(Answer& answer, Target const& target, std::vector<Proof> const& proofs
         answer.confirmed = answer.confirmed && (!root || known);
         answer.chain.push_back(std::move(made));
     }
+    foldRepeats(answer.chain);
 }
 
 } // namespace
@@ -187,7 +197,7 @@ std::string_view nameOf(Proof proof) {
 Answer why(LevelRuns const& runs, Solution const& solution, Question const& question,
            AskOptions const& options) {
     Answer answer;
-    Target const target = findTarget(runs, solution, question, options, answer);
+    Target target = findTarget(runs, solution, question, options, answer);
     answer.runs = 1;
     if (!target.event) {
         return answer; // the nearest miss is in it
@@ -195,11 +205,12 @@ Answer why(LevelRuns const& runs, Solution const& solution, Question const& ques
     answer.happened = true;
     std::vector<Candidate> const candidates =
         candidatesOf(target.story, answer.facts, solution, options.everything);
-    SecondRuns second(runs, solution, target, options);
-    std::vector<Proof> const proofs = second.test(candidates);
+    SecondRuns second(runs, solution, target, answer.facts, options);
+    SecondRuns::Tested const tested = second.test(candidates);
     answer.runs += second.runs();
     answer.complete = second.complete();
-    tell(answer, target, proofs, options.everything);
+    connect(target.story, tested);
+    tell(answer, target, tested.proofs, options.everything);
     return answer;
 }
 

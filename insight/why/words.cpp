@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <set>
 
 namespace trembler::insight {
 namespace {
@@ -40,11 +41,17 @@ private:
     [[nodiscard]] Clauses clauses(std::size_t step) const {
         return clausesOf(answer_.chain[step].step, answer_.facts, goal_, language_);
     }
+    /// How often a step's cycle was repeated, if the sentences have not said so yet; else 0.
+    std::size_t newCycle(std::size_t step) {
+        ChainStep const& one = answer_.chain[step];
+        return one.cycle > 0 && cycles_.insert(one.cycle).second ? one.times : 0;
+    }
     void addSentence(std::size_t step) {
         if (written_[step]) {
             return;
         }
         written_[step] = true;
+        std::size_t repeated = newCycle(step);
         std::string text = capitalised(clauses(step).main);
         std::vector<std::size_t> next = answer_.chain[step].step.because;
         if (next.empty() && !sentences_.empty()) {
@@ -54,6 +61,7 @@ private:
             std::vector<std::string> causes;
             for (std::size_t const cause : next) {
                 causes.push_back(clauses(cause).because);
+                repeated = std::max(repeated, newCycle(cause));
             }
             text += ", " + fmt::format("{}", fmt::join(causes, " " + language_.fill("and", {}) + " "));
             if (next.size() > 1 || said == longest || written_[next.front()]) {
@@ -70,6 +78,9 @@ private:
             }
             next = further;
         }
+        if (repeated > 0) {
+            text += " " + tongue_.fill("(and so on, {} times)", {std::to_string(repeated)});
+        }
         sentences_.push_back(text + ".");
         std::sort(next.rbegin(), next.rend());
         for (std::size_t const cause : next) {
@@ -81,6 +92,7 @@ private:
     std::string const& goal_;
     AnswerLanguage const& language_;
     std::vector<bool> written_;
+    std::set<std::size_t> cycles_; // that were told
     std::vector<std::string> sentences_;
 };
 
@@ -175,6 +187,14 @@ std::string sentenceOf(Miss const& miss, Extreme extreme, std::string const& whe
                when;
     case Lack::count:
         return language.mix("the number was wrong by {}", {{language.number(miss.by, 0)}}) + when;
+    case Lack::ways: {
+        bool const one = miss.by < 1.5;
+        Said const ways{language.number(miss.by, 0)};
+        return (one ? language.mix("current still flowed through {}: one connection held it", {first})
+                    : language.mix("current still flowed through {}: at least {} connections held it",
+                                 {first, ways})) +
+               when;
+    }
     case Lack::time:
         return language.mix("it held, but for {} less than it should", {amount(2)}) + when;
     case Lack::steps:
@@ -265,6 +285,8 @@ nlohmann::ordered_json toJson(Answer const& answer, std::string const& asked, st
                          {"because", one.step.because},
                          {"confirmed", one.proof == Proof::confirmed || one.proof == Proof::together},
                          {"proof", nameOf(one.proof)},
+                         {"traced", one.step.traced},
+                         {"times", one.times},
                          {"text", clausesOf(one.step, answer.facts, goal, language).main}});
     }
     nlohmann::ordered_json made{

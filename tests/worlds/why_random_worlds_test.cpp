@@ -5,6 +5,7 @@
 #include "puzzle/goals/level_schema.hpp"
 #include "runtime/level/build/build_world.hpp"
 #include "runtime/level/read/read_level.hpp"
+#include "runtime/placement.hpp"
 #include "runtime/trace/tracer.hpp"
 #include "tests/support/game_data.hpp"
 #include "tests/worlds/random_level.hpp"
@@ -12,7 +13,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 #include <optional>
+#include <random>
 
 namespace trembler::insight {
 namespace {
@@ -73,41 +76,117 @@ void traced(LevelRuns const& runs, Variation const& variation, std::uint64_t fra
     ASSERT_FALSE(result.fault) << *result.fault;
 }
 
-class WhyInRandomWorlds : public testing::TestWithParam<std::uint64_t> {};
-
-TEST_P(WhyInRandomWorlds, ConfirmedCausesAreCauses) {
-    static worlds::RandomLevels const levels(levelSchema(gameData().registry), gameData().parts.names());
-    worlds::Manner manner;
-    manner.extremes = 0;
-    manner.anywhere = 0;
-    manner.spread = 1;
-    auto const level = readable(levels.make(GetParam(), manner));
-    if (!level) {
-        GTEST_SKIP() << "the reader rejects the level";
+/// A run by hand, drawn from a seed: some parts (each once, so that no name depends on another placement), a
+/// wire, a push and a cut. Whatever the level does not take is left out of it.
+Solution drawnSolution(LevelFile& level, std::uint64_t seed) {
+    std::mt19937_64 random(seed);
+    auto const among = [&](std::size_t count) { return static_cast<std::size_t>(random() % count); };
+    auto const between = [&](double low, double high) {
+        return low + (high - low) * static_cast<double>(random() % 1000) / 1000;
+    };
+    Solution solution;
+    auto const builds = [&] {
+        try {
+            (void)LevelRun(whyWorldsData().registry, whyWorldsData().parts, level, solution.placements, {},
+                           solution.wires);
+            return true;
+        } catch (InputError const&) {
+            return false;
+        }
+    };
+    level.placing.reset();
+    level.wires = 4;
+    level.toolbox.clear();
+    for (char const* const part : {"small magnet", "steel bar", "crate", "iron ball", "battery"}) {
+        if (whyWorldsData().parts.find(part) == nullptr || level.objects.empty()) {
+            continue;
+        }
+        level.toolbox.push_back({part, 1, ""});
+        Placement placement;
+        placement.part = part;
+        auto const* const position = level.objects[among(level.objects.size())].properties.find<Position>();
+        placement.at =
+            (position == nullptr ? Vec2{} : position->value) + Vec2{between(-0.3, 0.3), between(-0.1, 0.5)};
+        solution.placements.push_back(placement);
+        if (!builds()) {
+            solution.placements.pop_back();
+        }
     }
-    LevelRuns const runs(gameData(), *level);
+    if (level.objects.size() >= 2) {
+        std::size_t const a = among(level.objects.size());
+        solution.wires.push_back(
+            {level.objects[a].name, level.objects[(a + 1) % level.objects.size()].name, "", "wire"});
+        if (!builds()) {
+            solution.wires.pop_back();
+        }
+    }
+    using Kind = PlayerInput::Kind;
+    if (!level.objects.empty()) {
+        LevelObject const& pushed = level.objects[among(level.objects.size())];
+        auto const* const position = pushed.properties.find<Position>();
+        Vec2 const at = position == nullptr ? Vec2{} : position->value;
+        solution.inputs.push_back({5, Kind::grab, pushed.name, "", at, "", 0});
+        solution.inputs.push_back({6, Kind::move, "", "", at + Vec2{between(-1, 1), between(0, 1)}, "", 0});
+        solution.inputs.push_back({25, Kind::release, "", "", {}, "", 0});
+    }
+    if (!level.connections.empty()) {
+        LevelConnection const& cut = level.connections[among(level.connections.size())];
+        solution.inputs.push_back({30, Kind::cut, cut.a, cut.b, {}, "", 0});
+    }
+    return solution;
+}
+
+/// How to run without a step that is a contact from its pair's first touch on, or a deed; nothing for others.
+std::vector<LeftOut> withoutStep(Step const& step, SceneFacts const& facts, Solution const& solution) {
+    switch (step.kind) {
+    case StepKind::contact: {
+        auto const first = facts.firstTouch.find(step.objects);
+        if (first == facts.firstTouch.end() || first->second != step.frame) {
+            return {}; // left out from a later frame on
+        }
+        return {withoutContact(step.objects[0], step.objects[1], 1)};
+    }
+    case StepKind::placed:
+        return {withoutPlacement(facts.placementOf.at(step.objects.front()))};
+    case StepKind::wired:
+        return {withoutWire(0)};
+    case StepKind::grabbed:
+        return {withoutInput(0), withoutInput(1), withoutInput(2)};
+    case StepKind::cut:
+        return {withoutInput(solution.inputs.size() - 1)};
+    default:
+        return {};
+    }
+}
+
+using CheckedKinds = std::map<StepKind, int>;
+
+/// Asks about the last thing of a kind that happened, and runs without each confirmed cause. Counts the
+/// steps of each kind without which it ran.
+void expectTrueCauses(LevelRuns const& runs, Solution const& solution, CheckedKinds& checked) {
     std::uint64_t number = 0;
-    traced(runs, {}, watchedFrames, [&](std::span<Event const> events) {
+    traced(runs, {solution}, watchedFrames, [&](std::span<Event const> events) {
         for (std::size_t i = 0; i < events.size(); ++i) {
             auto const kind = kindOf(events[i]);
-            if (kind == StepKind::contact || kind == StepKind::on || kind == StepKind::pull) {
+            if (kind == StepKind::contact || kind == StepKind::on || kind == StepKind::off ||
+                kind == StepKind::pull) {
                 number = i + 1;
             }
         }
     });
     if (number == 0) {
-        GTEST_SKIP() << "nothing touches anything";
+        return; // nothing touches anything
     }
     AskOptions options;
     options.frames = watchedFrames;
     Question question;
     question.event = number;
-    Answer const answer = why(runs, {}, question, options);
+    Answer const answer = why(runs, solution, question, options);
     ASSERT_TRUE(answer.happened);
     ASSERT_FALSE(answer.chain.empty());
     Step const& asked = answer.chain.back().step;
     std::size_t times = 0;
-    traced(runs, {}, asked.frame,
+    traced(runs, {solution}, asked.frame,
            [&](std::span<Event const> events) { times = timesOf(events, asked, asked.frame); });
     std::uint64_t const last = asked.frame + 60; // the horizon of runs that are so short
     for (std::size_t i = 0; i < answer.chain.size(); ++i) {
@@ -116,23 +195,66 @@ TEST_P(WhyInRandomWorlds, ConfirmedCausesAreCauses) {
             EXPECT_LT(cause, i);
             EXPECT_LE(answer.chain[cause].step.frame, one.step.frame);
         }
-        if (one.proof != Proof::confirmed || one.step.kind != StepKind::contact ||
-            i + 1 == answer.chain.size()) {
+        if (!one.step.traced) {
+            EXPECT_TRUE(one.proof == Proof::confirmed || one.proof == Proof::together)
+                << "neither the trace nor a run connects it: " << one.step.what;
+        }
+        if (one.proof != Proof::confirmed || i + 1 == answer.chain.size()) {
             continue;
         }
-        auto const first = answer.facts.firstTouch.find(one.step.objects);
-        if (first == answer.facts.firstTouch.end() || first->second != one.step.frame) {
-            continue; // left out from a later frame on
+        std::vector<LeftOut> const without = withoutStep(one.step, answer.facts, solution);
+        if (without.empty()) {
+            continue;
         }
-        LeftOut const without = withoutContact(one.step.objects[0], one.step.objects[1], 1);
-        traced(runs, {{}, {without}}, last, [&](std::span<Event const> events) {
-            EXPECT_LT(timesOf(events, asked, last), times)
-                << one.step.objects[0] << ", " << one.step.objects[1];
+        ++checked[one.step.kind];
+        traced(runs, {solution, without}, last, [&](std::span<Event const> events) {
+            EXPECT_LT(timesOf(events, asked, last), times) << one.step.what << ": " << one.step.objects[0];
         });
     }
 }
 
+std::optional<LevelFile> randomLevel(std::uint64_t seed, int objects) {
+    static worlds::RandomLevels const levels(levelSchema(whyWorldsData().registry),
+                                             whyWorldsData().parts.names());
+    worlds::Manner manner;
+    manner.extremes = 0;
+    manner.anywhere = 0;
+    manner.spread = 1;
+    manner.objects = objects;
+    manner.joints = objects / 2;
+    return readable(levels.make(seed, manner));
+}
+
+class WhyInRandomWorlds : public testing::TestWithParam<std::uint64_t> {};
+
+TEST_P(WhyInRandomWorlds, ConfirmedCausesAreCauses) {
+    auto const level = randomLevel(GetParam(), 8);
+    if (!level) {
+        GTEST_SKIP() << "the reader rejects the level";
+    }
+    CheckedKinds checked;
+    expectTrueCauses(LevelRuns(whyWorldsData(), *level), {}, checked);
+}
+
 INSTANTIATE_TEST_SUITE_P(Of, WhyInRandomWorlds, testing::Range<std::uint64_t>(0, 12));
+
+// The same of what a player did: placed parts, among them magnets, a wire, a push and a cut.
+TEST(WhyInRandomRuns, ConfirmedDeedsAreCauses) {
+    CheckedKinds checked;
+    for (std::uint64_t seed = 100; seed < 116; ++seed) {
+        auto level = randomLevel(seed, 3);
+        if (!level) {
+            continue;
+        }
+        SCOPED_TRACE(seed);
+        Solution const solution = drawnSolution(*level, seed);
+        expectTrueCauses(LevelRuns(whyWorldsData(), *level), solution, checked);
+    }
+    EXPECT_GT(checked[StepKind::placed], 2);
+    EXPECT_GT(checked[StepKind::placed] + checked[StepKind::wired] + checked[StepKind::grabbed] +
+                  checked[StepKind::cut],
+              4);
+}
 
 } // namespace
 } // namespace trembler::insight

@@ -31,6 +31,7 @@ struct ReportArguments {
     std::uint64_t search = 0;
     std::optional<double> jitterCm;
     std::optional<double> jitterDegrees;
+    std::optional<double> jitterSeconds;
     bool maps = false;
     bool brief = false;
     bool table = false;
@@ -45,6 +46,7 @@ insight::ReportOptions optionsOf(ReportArguments const& arguments) {
         options.robustness.jitter.distance = *arguments.jitterCm / 100;
     }
     options.robustness.jitter.angle = arguments.jitterDegrees.value_or(options.robustness.jitter.angle);
+    options.robustness.jitter.seconds = arguments.jitterSeconds.value_or(options.robustness.jitter.seconds);
     options.drops = arguments.drops;
     options.maps = arguments.maps;
     options.costs = !arguments.brief;
@@ -145,6 +147,8 @@ void addReportCommand(CLI::App& program, int& result) {
               "How far parts are displaced, in cm (default: 2)");
     addNumber(*command, "--jitter-degrees", arguments->jitterDegrees, 0, 180,
               "How far parts are turned, in degrees (default: 2)");
+    addNumber(*command, "--jitter-seconds", arguments->jitterSeconds, 0, 60,
+              "How much earlier or later deeds are done, in s (default: 0.1)");
     command->add_flag("--maps", arguments->maps, "Also where each part may lie, in steps of 5 cm");
     command->add_flag("--brief", arguments->brief, "Without costs and the cheapest detail levels");
     CLI::Option* const table =

@@ -3,6 +3,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <filesystem>
+
 namespace trembler::test {
 namespace {
 
@@ -33,6 +36,23 @@ TEST_F(VerifyCommand, WritesItsFindingsAsJson) {
     // Into a file: the words are printed as usual.
     EXPECT_EQ(runProgram({"verify", good, at("wrong.json"), "--json", at("report.json")}).out, words.out);
     EXPECT_EQ(contentsOf(at("report.json")), printed.out);
+}
+
+TEST_F(VerifyCommand, GoesOnWithWhatItHasVerified) {
+    Ran const first = runProgram({"verify", good, at("wrong.json"), "--resume", at("all.jsonl")});
+    EXPECT_EQ(first.status, 1) << first.err;
+    std::string const journal = contentsOf(at("all.jsonl"));
+    EXPECT_EQ(std::count(journal.begin(), journal.end(), '\n'), 2);
+    Ran const again = runProgram({"verify", good, at("wrong.json"), "--resume", at("all.jsonl")});
+    EXPECT_EQ(again.out, first.out);
+    EXPECT_EQ(contentsOf(at("all.jsonl")), journal) << "nothing was verified twice";
+    // A level that was changed since is.
+    std::filesystem::copy_file(good, at("wrong.json"), std::filesystem::copy_options::overwrite_existing);
+    Ran const mended = runProgram({"verify", good, at("wrong.json"), "--resume", at("all.jsonl")});
+    EXPECT_EQ(mended.status, 0) << mended.out << mended.err;
+    std::string const more = contentsOf(at("all.jsonl"));
+    EXPECT_EQ(std::count(more.begin(), more.end(), '\n'), 3);
+    EXPECT_EQ(more.substr(0, journal.size()), journal);
 }
 
 TEST_F(VerifyCommand, TakesNoLevelForTheFileToWrite) {

@@ -32,12 +32,69 @@ TEST(LevelReport, SaysWhatTheSolutionsOfTheFirstLevelNeed) {
     EXPECT_EQ(json["solutions"][0]["robustness"], 1.0);
     EXPECT_EQ(json["solutions"][2]["solves"], false);
     EXPECT_TRUE(json["found"].empty());
+    // Each goal's chain of causes, as `trembler why` tells it.
+    ASSERT_EQ(json["solutions"][1]["name"], "the spanner");
+    ASSERT_EQ(json["solutions"][1]["chains"].size(), report.goals.size());
+    for (nlohmann::json const& chain : json["solutions"][1]["chains"]) {
+        EXPECT_EQ(chain["happened"], true);
+        EXPECT_NE(chain["answer"].get<std::string>().find("you laid spanner 1 there"), std::string::npos)
+            << chain["answer"];
+    }
+    // The kinds differ by their parts only.
+    ASSERT_EQ(json["differences"].size(), 1U);
+    EXPECT_EQ(json["differences"][0]["kind"], 2);
+    EXPECT_EQ(json["differences"][0]["with"], 1);
+    EXPECT_EQ(json["differences"][0]["only_here"]["parts"], nlohmann::json::array({"spanner"}));
+    EXPECT_EQ(json["differences"][0]["only_there"]["parts"], nlohmann::json::array({"steel bar"}));
     std::string const page = toMarkdown({report});
     EXPECT_NE(page.find("| the steel bar | 1: steel bar; "), std::string::npos) << page;
     EXPECT_NE(toWords(report).find("'the wooden bar' does not solve it, as recorded"), std::string::npos);
+    EXPECT_NE(page.find("- *the spanner*: "), std::string::npos) << page;
+    EXPECT_NE(
+        page.find("- Kind 2 differs from kind 1: only with kind 2: spanner; only with kind 1: steel bar."),
+        std::string::npos)
+        << page;
     // The same page with other threads.
     Workers one(onThreads(1));
     EXPECT_EQ(toMarkdown({reportOn(firstContact(), shortReport(), one)}), page);
+}
+
+// What a demonstration does by itself is no solution of its task, and nothing that falls short.
+TEST(LevelReport, TakesTheTaskOfADemonstrationLikeAPuzzle) {
+    LevelUnderTest const level(testedData(), testedFile("experiments/1-switched-electromagnet.json"));
+    ReportOptions options = shortReport();
+    options.robustness.runs = 4;
+    options.drops = 0;
+    options.chains = false;
+    Workers workers(onThreads(2));
+    LevelReport const report = reportOn(level, options, workers);
+    EXPECT_TRUE(report.task);
+    EXPECT_FALSE(report.demonstration);
+    EXPECT_FALSE(report.emptyToolboxSolves);
+    for (SolutionReport const& one : report.solutions) {
+        EXPECT_EQ(one.expected, one.needs.solves) << one.name;
+        if (one.name == "hands off") {
+            EXPECT_FALSE(one.needs.solves);
+        }
+        if (one.name == "cut the wire") {
+            EXPECT_TRUE(one.needs.solves);
+            EXPECT_EQ(one.robustness.runs, 4) << "the moment of the cut was varied";
+        }
+    }
+    EXPECT_NE(toMarkdownTable({report}).find("1-switched-electromagnet.json (task) |"), std::string::npos);
+}
+
+TEST(LevelReport, SaysThatThereIsNothingToDisplace) {
+    LevelReport report;
+    report.level = "a";
+    report.kinds = 2;
+    SolutionReport wired;
+    wired.name = "a wire";
+    wired.needs.solves = true;
+    wired.kind = 1;
+    report.solutions.push_back(wired);
+    EXPECT_EQ(toMarkdownTable({report}).find("%"), std::string::npos) << "no share of no runs";
+    EXPECT_TRUE(toJson(report)["solutions"][0]["robustness"].is_null());
 }
 
 TEST(LevelReport, ShowsWhatItHasAfterEachPart) {
@@ -48,7 +105,7 @@ TEST(LevelReport, ShowsWhatItHasAfterEachPart) {
     options.sofar = [&](LevelReport const& report) { shown.push_back(report); };
     Workers workers(onThreads(2));
     LevelReport const report = reportOn(firstContact(), options, workers);
-    ASSERT_EQ(shown.size(), 4U);
+    ASSERT_EQ(shown.size(), 5U);
     EXPECT_TRUE(shown[0].examined);
     EXPECT_FALSE(shown[0].complete);
     EXPECT_EQ(shown[0].solutions.size(), 3U);
@@ -56,7 +113,8 @@ TEST(LevelReport, ShowsWhatItHasAfterEachPart) {
     EXPECT_GT(shown[1].solutions[0].robustness.runs, 0);
     EXPECT_TRUE(shown[1].drops.empty());
     EXPECT_FALSE(shown[2].drops.empty());
-    EXPECT_FALSE(shown[3].solutions[0].maps.empty());
+    EXPECT_FALSE(shown[3].solutions[0].chains.empty());
+    EXPECT_FALSE(shown[4].solutions[0].maps.empty());
     EXPECT_TRUE(report.complete);
     // Whoever looks on changes nothing.
     options.sofar = nullptr;

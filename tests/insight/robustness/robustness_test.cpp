@@ -36,6 +36,43 @@ TEST(Jitter, StaysWithinItsReachAndWhatAPlayerCanPlace) {
     EXPECT_GT(farthest, 0.045);
 }
 
+TEST(Jitter, MovesDeedsInTheirOrder) {
+    Solution solution;
+    solution.inputs = {{10, PlayerInput::Kind::grab, "switch", "", {1, 1}, "", 0},
+                       {30, PlayerInput::Kind::move, "", "", {2, 1}, "", 0},
+                       {40, PlayerInput::Kind::release, "", "", {}, "", 0},
+                       {42, PlayerInput::Kind::grab, "ball", "", {3, 1}, "", 0},
+                       {43, PlayerInput::Kind::cut, "a", "b", {}, "", 0}};
+    EXPECT_TRUE(canBeDisplaced(solution));
+    EXPECT_FALSE(canBeDisplaced({}));
+    Jitter const jitter{.distance = 0.02, .angle = 2, .seconds = 0.1}; // 6 frames
+    std::int64_t earliest = 10;
+    std::int64_t latest = 10;
+    for (std::uint64_t n = 0; n < 200; ++n) {
+        CounterRandom random(keyOf(1, {"deeds"}, n));
+        int redrawn = 0;
+        auto const made = jittered(firstContact(), solution, jitter, random, redrawn);
+        ASSERT_TRUE(made);
+        ASSERT_EQ(made->inputs.size(), 5U);
+        EXPECT_TRUE(std::is_sorted(made->inputs.begin(), made->inputs.end(),
+                                   [](auto const& a, auto const& b) { return a.frame < b.frame; }));
+        std::vector<RecordedInput> hand = made->inputs;
+        std::erase_if(hand, [](auto const& input) { return input.kind == PlayerInput::Kind::cut; });
+        ASSERT_EQ(hand.size(), 4U);
+        EXPECT_EQ(hand[0].object, "switch");
+        EXPECT_EQ(hand[1].kind, PlayerInput::Kind::move);
+        EXPECT_EQ(hand[2].kind, PlayerInput::Kind::release) << "before the same hand takes hold again";
+        EXPECT_EQ(hand[3].object, "ball");
+        EXPECT_EQ(hand[1].frame - hand[0].frame, 20U) << "a grip is displaced as a whole";
+        EXPECT_NEAR(length(hand[1].at - hand[0].at - Vec2{1, 0}), 0, 1e-12);
+        EXPECT_LE(length(hand[0].at - Vec2{1, 1}), 0.02);
+        earliest = std::min(earliest, static_cast<std::int64_t>(hand[0].frame));
+        latest = std::max(latest, static_cast<std::int64_t>(hand[0].frame));
+    }
+    EXPECT_EQ(earliest, 4);
+    EXPECT_EQ(latest, 16);
+}
+
 TEST(Robustness, IsHighWhereABarLiesAcrossAGapAndLowWhereItIsThrownFar) {
     RobustnessOptions options;
     options.runs = 30;

@@ -54,9 +54,9 @@ TEST(Words, WhatHeldForAWhileNeverIsSaidNotToHave) {
     ASSERT_EQ(miss.lack, Lack::time);
     Sentences const english = sentencesOf(miss, AnswerLanguage());
     ASSERT_EQ(english.size(), 2U);
-    EXPECT_EQ(english.back(), "It ceased to be as it should be, at 0.3 s.");
+    EXPECT_EQ(english.back(), "The ball was 4.43 m away from where it should be, at 1.0 s.");
     EXPECT_EQ(sentencesOf(miss, AnswerLanguage(german())).back(),
-              "Es war nicht mehr so, wie es sein sollte, nach 0,3 s.");
+              "Die Kugel war 4,43 m vom Ziel entfernt, nach 1,0 s.");
 }
 
 TEST(Words, WhatNeverHeldIsSaidNotToHave) {

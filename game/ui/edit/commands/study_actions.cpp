@@ -3,14 +3,33 @@
 #include "game/ui/edit/study/study_words.hpp"
 #include "game/ui/shared/shown_faults.hpp"
 #include "game/ui/shared/texts.hpp"
+#include "puzzle/campaign/as_played.hpp"
 #include "puzzle/edit/commands/solutions.hpp"
+#include "puzzle/goals/words/goal_text.hpp"
+#include "runtime/level/build/build_world.hpp"
 
+#include <map>
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace trembler::ui::actions {
 namespace {
 
 using render::ToastKind;
+
+/// The goals as they are played, in the language in use.
+std::map<std::string, std::string> goalsInWords(GameData const& data, LevelFile const& level) {
+    LevelFile const played = asPlayed(level, "");
+    auto const world = buildWorld(data.registry, played, data.parts);
+    GoalJudge const judge(played, *world);
+    std::vector<std::string> const texts = goalSentences(played, *world, speechInUse());
+    std::map<std::string, std::string> goals;
+    for (std::size_t i = 0; i < texts.size() && i < judge.status().size(); ++i) {
+        goals.emplace(judge.status()[i].id, texts[i]);
+    }
+    return goals;
+}
 
 /// The level as it stands in the editor; nothing, and a message, if it cannot be examined.
 std::optional<StudiedLevel> studiedNow(EditParts& parts) {
@@ -20,6 +39,7 @@ std::optional<StudiedLevel> studiedNow(EditParts& parts) {
             parts.tell(words::studyNeedsGoal, ToastKind::Trouble);
             return std::nullopt;
         }
+        now.goals = goalsInWords(*now.data, now.level);
         return now;
     } catch (InputError const& error) {
         std::vector<Diagnostic> const& all = error.diagnostics();

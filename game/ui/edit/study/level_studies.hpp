@@ -10,6 +10,7 @@
 #include "puzzle/session/session.hpp"
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -22,6 +23,7 @@ struct StudiedLevel {
     std::shared_ptr<GameData const> data;
     LevelFile level;
     std::string name;
+    std::map<std::string, std::string> goals{}; ///< by id, as sentences in the player's language
 };
 
 /// A search as it is shown.

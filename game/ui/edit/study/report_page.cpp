@@ -1,6 +1,7 @@
 #include "game/ui/edit/commands/edit_actions.hpp"
 #include "game/ui/edit/panels/field_widgets.hpp"
 #include "game/ui/edit/panels/side_panel.hpp"
+#include "game/ui/edit/study/chain_rows.hpp"
 #include "game/ui/edit/study/level_studies.hpp"
 #include "game/ui/edit/study/solution_rows.hpp"
 #include "game/ui/edit/study/study_rows.hpp"
@@ -124,6 +125,7 @@ void drawReport(EditParts& parts, LevelReport const& report) {
             studyText(words::notByItself);
         }
         studyText(words::filledIn(words::manyKindsText, report.kinds));
+        drawComparisons(parts, report);
     }
     pageHeading(words::solutionsHeading);
     if (report.solutions.empty() && report.examined) {

@@ -2,6 +2,7 @@
 
 #include "game/ui/edit/commands/edit_actions.hpp"
 #include "game/ui/edit/panels/field_widgets.hpp"
+#include "game/ui/edit/study/chain_rows.hpp"
 #include "game/ui/edit/study/level_studies.hpp"
 #include "game/ui/edit/study/study_rows.hpp"
 #include "game/ui/edit/study/study_words.hpp"
@@ -101,11 +102,9 @@ void drawDetails(EditParts& parts, LevelReport const& report, SolutionReport con
         if (std::string const causes = words::shownCauses(solution.graph); !causes.empty()) {
             studyText(words::filledIn(words::causesText, causes));
         }
+        drawChains(parts, solution);
         if (solution.robustness.runs > 0) {
-            studyText(words::filledIn(words::robustText,
-                                      localNumber(fmt::format("{:g}", 100 * report.jitter.distance)),
-                                      localNumber(fmt::format("{:g}", report.jitter.angle)),
-                                      solution.robustness.solved, solution.robustness.runs));
+            studyText(words::shownRobustness(solution, report.jitter));
         } else if (report.complete) {
             studyText(words::nothingDisplaced);
         }

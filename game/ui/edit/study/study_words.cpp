@@ -83,6 +83,33 @@ std::string shownCauses(insight::CauseGraph const& graph) {
     return fmt::format("{}", fmt::join(interactions, ", "));
 }
 
+std::string shownSide(PartCatalog const& parts, insight::GraphSide const& side) {
+    std::vector<std::string> shown;
+    for (std::string const& part : side.parts) {
+        shown.push_back(shownMaking(parts, part));
+    }
+    for (std::string const& deed : side.deeds) {
+        shown.push_back(shownMaking(parts, deed));
+    }
+    for (auto const& [cause, effect] : side.links) {
+        shown.push_back(filledIn(leadsToText, translated(cause), translated(effect)));
+    }
+    return fmt::format("{}", fmt::join(shown, ", "));
+}
+
+std::string shownRobustness(insight::SolutionReport const& solution, insight::Jitter const& jitter) {
+    auto const number = [](double value) { return localNumber(fmt::format("{:g}", value)); };
+    std::string const distance = number(100 * jitter.distance);
+    std::string const seconds = number(jitter.seconds);
+    insight::Robustness const& found = solution.robustness;
+    if (!solution.hasDeeds) {
+        return filledIn(robustText, distance, number(jitter.angle), found.solved, found.runs);
+    }
+    return solution.hasParts
+               ? filledIn(robustBothText, distance, number(jitter.angle), seconds, found.solved, found.runs)
+               : filledIn(robustDeedsText, seconds, distance, found.solved, found.runs);
+}
+
 std::string shownStep(std::string const& step, insight::WorkDone const& done) {
     std::string shown = translated(step);
     if (done.of > 0) {

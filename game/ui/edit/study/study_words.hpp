@@ -26,6 +26,7 @@ inline char const* const& stepNeeds = editWord("what its solutions need");
 inline char const* const& stepExact = editWord("how exact its solutions must be");
 inline char const* const& stepDropped = editWord("single parts dropped at random");
 inline char const* const& stepMaps = editWord("where each part may lie");
+inline char const* const& stepWhy = editWord("why its solutions meet the goals");
 inline char const* const& stepCosts = editWord("what its effects cost");
 inline char const* const& stepSearch = editWord("what else solves it");
 
@@ -70,13 +71,24 @@ inline char const* const& solvesNot = editWord("does not solve it");
 inline char const* const& solvesNotAsSaid = editWord("does not solve it, as recorded");
 inline char const* const& bySurprise = editWord("solves it, though recorded as a run that does not");
 inline char const* const& causesText = editWord("Causes: {}");
+inline char const* const& chainHeading = editWord("Why it solves it:");
+inline char const* const& chainTraced =
+    editWord("Traced: not every cause was confirmed by a run without it.");
+inline char const* const& kindAgainstText = editWord("Kind {} beside kind {}, the nearest to it:");
+inline char const* const& onlyKindText = editWord("only kind {}: {}");
+inline char const* const& leadsToText = editWord("{} leads to {}");
 inline char const* const& needsText = editWord("Needs: {}");
 inline char const* const& needsNothing = editWord("Needs nothing of the toolbox.");
 inline char const* const& needsEffectsText = editWord("Needs the effects: {}");
 inline char const* const& superfluousText = editWord("Superfluous: {}");
 inline char const* const& robustText =
     editWord("With its parts displaced by up to {} cm and turned by up to {}°, {} of {} runs solve it.");
-inline char const* const& nothingDisplaced = editWord("It has no parts that could be displaced.");
+inline char const* const& robustDeedsText =
+    editWord("With its deeds up to {} s earlier or later and {} cm beside, {} of {} runs solve it.");
+inline char const* const& robustBothText = editWord(
+    "With its parts displaced by up to {} cm and turned by up to {}°, and its deeds up to {} s earlier or "
+    "later, {} of {} runs solve it.");
+inline char const* const& nothingDisplaced = editWord("It has nothing that could be displaced.");
 inline char const* const& watchIt = editWord("Watch it");
 inline char const* const& mayLie = editWord("Where a part may lie, the others staying:");
 inline char const* const& mapCaption =
@@ -134,6 +146,11 @@ inline char const* const& nothingPlaced = editWord("nothing placed");
 /// The parts and deeds of a kind; and its interactions, "" if there are none.
 [[nodiscard]] std::string shownMeans(PartCatalog const& parts, insight::CauseGraph const& graph);
 [[nodiscard]] std::string shownCauses(insight::CauseGraph const& graph);
+/// What only one of two kinds has; "" if there is nothing.
+[[nodiscard]] std::string shownSide(PartCatalog const& parts, insight::GraphSide const& side);
+/// In how many of its displaced runs a solution solves the level; it has such runs.
+[[nodiscard]] std::string shownRobustness(insight::SolutionReport const& solution,
+                                          insight::Jitter const& jitter);
 /// What is being done, and how much of it.
 [[nodiscard]] std::string shownStep(std::string const& step, insight::WorkDone const& done);
 

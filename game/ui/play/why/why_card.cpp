@@ -70,6 +70,9 @@ Row rowOf(insight::Answer const& answer, std::size_t step, std::string const& wo
     Row row{std::to_string(step + 1), unbroken(words), unbroken(momentOf(one.step.frame)),
             colourOf(one.proof), one.proof != Proof::traced};
     row.note += " · " + std::string(lookOf(one.proof).name);
+    if (one.times > 1) {
+        row.note += " · " + textWith("{} times", one.times);
+    }
     std::vector<std::size_t> const& because = one.step.because;
     if (!because.empty()) {
         row.note += " · " + textWith("because of {}", listed(because));

@@ -1,7 +1,6 @@
 #include "game/ui/play/why/why_panel.hpp"
 
 #include "game/ui/play/view/level_text.hpp"
-#include "game/ui/shared/catalogue_in_use.hpp"
 #include "game/ui/shared/words.hpp"
 
 #include <algorithm>
@@ -36,11 +35,6 @@ std::vector<StepKind> kindsOf(MarkKind kind) {
 }
 
 } // namespace
-
-insight::AnswerLanguage tongueInUse() {
-    Catalogue const* const catalogue = catalogueInUse();
-    return catalogue == nullptr ? insight::AnswerLanguage() : insight::AnswerLanguage(*catalogue);
-}
 
 WhyPanel::WhyPanel(Registry const& registry, PartLibrary const& parts, std::shared_ptr<GameData const> data,
                    Session const& session, LevelText const& said)
@@ -189,7 +183,7 @@ std::string WhyPanel::subjectText() const {
         return words::capital(goalText(subject_.goal));
     }
     if (!subject_.object.empty()) {
-        return words::capital(tongueInUse().the(subject_.object));
+        return words::capital(languageInUse().the(subject_.object));
     }
     return "";
 }
@@ -210,7 +204,7 @@ std::vector<std::string> WhyPanel::lines() const {
     if (!answer_) {
         return all;
     }
-    insight::AnswerLanguage const language = tongueInUse();
+    insight::AnswerLanguage const language = languageInUse();
     if (!answer_->happened) {
         return sentencesOf(*answer_, goalText(answer_->goal), language);
     }

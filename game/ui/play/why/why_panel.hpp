@@ -2,6 +2,7 @@
 #pragma once
 
 #include "game/ui/play/why/inquiry.hpp"
+#include "game/ui/shared/language_in_use.hpp"
 #include "game/ui/shared/layout.hpp"
 #include "insight/timeline/marks.hpp"
 #include "insight/why/words.hpp"
@@ -15,9 +16,6 @@
 namespace trembler::ui {
 
 class LevelText;
-
-/// The clauses of answers in the language in use; valid until useLanguage().
-[[nodiscard]] insight::AnswerLanguage tongueInUse();
 
 /// Asks about the session's run as the player did it, or, while building, about the last run, and shows the
 /// answer. Never changes the session. Window thread only.

@@ -73,15 +73,18 @@ TEST_F(ReportCommand, WritesTheKeysThatAreDocumented) {
     json const all = json::parse(ran.out);
     ASSERT_EQ(all.size(), 1U);
     EXPECT_EQ(keysOf(all[0]),
-              (std::set<std::string>{"level", "complete", "demonstration", "empty_toolbox_solves", "seed",
-                                     "jitter", "kinds", "solutions", "drops", "effects", "ways_to_compute",
-                                     "found", "search", "shortcomings"}));
-    EXPECT_EQ(keysOf(all[0]["jitter"]), (std::set<std::string>{"cm", "degrees"}));
+              (std::set<std::string>{"level", "complete", "demonstration", "task", "empty_toolbox_solves",
+                                     "seed", "jitter", "kinds", "solutions", "drops", "effects",
+                                     "ways_to_compute", "found", "search", "shortcomings", "differences"}));
+    EXPECT_EQ(keysOf(all[0]["jitter"]), (std::set<std::string>{"cm", "degrees", "seconds"}));
     EXPECT_EQ(keysOf(all[0]["solutions"][0]),
               (std::set<std::string>{"name", "expected_to_solve", "solves", "frame", "kind", "kind_number",
                                      "needs_parts", "needs_deeds", "needs_effects", "superfluous",
                                      "superfluous_effects", "robustness", "robustness_runs",
-                                     "robustness_redrawn", "places"}));
+                                     "robustness_redrawn", "places", "chains"}));
+    EXPECT_EQ(
+        keysOf(all[0]["solutions"][0]["chains"][0]),
+        (std::set<std::string>{"asked", "happened", "answer", "confirmed", "chain", "dropped", "runs"}));
     EXPECT_EQ(keysOf(all[0]["solutions"][0]["places"][0]),
               (std::set<std::string>{"part", "placement", "step_m", "rows"}));
     EXPECT_EQ(keysOf(all[0]["drops"][0]), (std::set<std::string>{"part", "runs", "solved", "share"}));

@@ -1,4 +1,4 @@
-// trembler solve and report, shared out among processes by mpirun.
+// trembler solve, report and verify, shared out among processes by mpirun.
 #include "tests/game/app/program.hpp"
 
 #include <fmt/format.h>
@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <sstream>
 #include <string>
 #include <sys/wait.h>
@@ -32,8 +33,8 @@ protected:
         // The variables let Open MPI be run by root, as in a container.
         std::string const command = fmt::format(
             "OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 mpirun --oversubscribe -n {} "
-            "'" TREMBLER_BINARY_DIR "/trembler' {} --threads 1 --mpi --json '{}' >'{}' 2>&1",
-            processes, arguments, file, at("words"));
+            "'" TREMBLER_BINARY_DIR "/trembler' {} {} --mpi --json '{}' >'{}' 2>&1",
+            processes, arguments, arguments.starts_with("verify") ? "" : "--threads 1", file, at("words"));
         int const status = std::system(command.c_str()); // NOLINT(*-mt-unsafe)
         EXPECT_TRUE(WIFEXITED(status)) << contentsOf(at("words"));
         EXPECT_LE(WEXITSTATUS(status), 1) << contentsOf(at("words"));
@@ -128,6 +129,41 @@ TEST_F(SharedOut, AReportIsTheSameInAnyNumberOfProcesses) {
     EXPECT_FALSE(expected.empty());
     EXPECT_EQ(shared(2, arguments), expected);
     EXPECT_EQ(shared(3, arguments), expected);
+}
+
+TEST_F(SharedOut, AVerdictIsTheSameInAnyNumberOfProcesses) {
+    // One level that is valid, and one whose solution does not solve it.
+    json broken = json::parse(contentsOf(good));
+    broken["solutions"][2]["expect"] = "solved"; // the wooden bar
+    std::ofstream(at("broken.json")) << broken;
+    std::string const arguments = fmt::format("verify '{}' '{}' '{}'", good, at("broken.json"),
+                                              levelFile("first/2-into-the-basket.json").string());
+    std::string const one = shared(1, arguments);
+    json const verdict = json::parse(one);
+    ASSERT_EQ(verdict["levels"].size(), 3U);
+    EXPECT_EQ(verdict["levels"][0]["valid"].get<bool>() + verdict["levels"][1]["valid"].get<bool>() +
+                  verdict["levels"][2]["valid"].get<bool>(),
+              2);
+    EXPECT_EQ(shared(2, arguments), one);
+    EXPECT_EQ(shared(3, arguments), one);
+}
+
+TEST_F(SharedOut, AVerificationThatWasCutOffGoesOn) {
+    std::string const arguments = fmt::format("verify '{}' '{}' '{}' --resume '{}'", good,
+                                              levelFile("first/2-into-the-basket.json").string(),
+                                              levelFile("first/3-pass-it-on.json").string(), at("all.jsonl"));
+    std::string const whole = shared(2, arguments);
+    std::vector<std::string> works = finishedWork(at("all.jsonl"));
+    EXPECT_EQ(works.size(), 2U);
+    EXPECT_EQ(finishedWork(at("all.jsonl.1")).size(), 1U);
+    // The last line of the leader is lost, as by a power cut.
+    std::string const text = contentsOf(at("all.jsonl"));
+    std::filesystem::resize_file(at("all.jsonl"), text.size() - 5);
+    EXPECT_EQ(shared(1, arguments), whole) << "by another number of processes";
+    works = finishedWork(at("all.jsonl"));
+    EXPECT_EQ(works.size(), 2U) << "only the lost one was verified again";
+    EXPECT_EQ(shared(3, arguments), whole);
+    EXPECT_EQ(finishedWork(at("all.jsonl")), works) << "nothing was left to do";
 }
 
 TEST_F(SharedOut, FinishedWorkIsNotDoneAgain) {

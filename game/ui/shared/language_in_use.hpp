@@ -1,0 +1,15 @@
+// The clauses of answers to "why?" in the language in use.
+#pragma once
+
+#include "game/ui/shared/catalogue_in_use.hpp"
+#include "insight/why/clauses.hpp"
+
+namespace trembler::ui {
+
+/// Valid until useLanguage(). Window thread only.
+[[nodiscard]] inline insight::AnswerLanguage languageInUse() {
+    Catalogue const* const catalogue = catalogueInUse();
+    return catalogue == nullptr ? insight::AnswerLanguage() : insight::AnswerLanguage(*catalogue);
+}
+
+} // namespace trembler::ui

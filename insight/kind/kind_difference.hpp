@@ -1,0 +1,34 @@
+// In what two kinds of solutions differ.
+#pragma once
+
+#include "insight/kind/cause_graph.hpp"
+
+#include <string>
+#include <vector>
+
+namespace trembler::insight {
+
+/// What only one of two graphs has, in alphabetical order.
+struct GraphSide {
+    std::vector<std::string> parts;
+    std::vector<std::string> deeds;
+    std::vector<std::pair<std::string, std::string>> links; ///< (cause, effect), see CauseGraph
+
+    [[nodiscard]] std::size_t size() const { return parts.size() + deeds.size() + links.size(); }
+};
+
+struct KindDifference {
+    GraphSide here;
+    GraphSide there;
+
+    [[nodiscard]] std::size_t size() const { return here.size() + there.size(); }
+};
+
+/// What `here` has and `there` has not, and the other way round.
+[[nodiscard]] KindDifference differenceOf(CauseGraph const& here, CauseGraph const& there);
+
+/// A side in words, for designers: "spanner; Dynamics leads to Electricity <- Dynamics"; empty if there is
+/// nothing.
+[[nodiscard]] std::string inWords(GraphSide const& side);
+
+} // namespace trembler::insight

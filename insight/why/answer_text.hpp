@@ -1,0 +1,16 @@
+// An answer as one line of text, for journals.
+#pragma once
+
+#include "insight/why/answer.hpp"
+
+#include <string>
+
+namespace trembler::insight {
+
+/// What is told of something that happened: the chain, and what sentences need to know of the objects. Not a
+/// nearest miss.
+[[nodiscard]] std::string toText(Answer const& answer);
+/// The inverse. The text must be one that toText() has made.
+[[nodiscard]] Answer answerFrom(std::string const& text);
+
+} // namespace trembler::insight

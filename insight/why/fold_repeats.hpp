@@ -1,0 +1,16 @@
+// Makes a chain short in which the same happens over and over.
+#pragma once
+
+#include "insight/why/answer.hpp"
+
+#include <vector>
+
+namespace trembler::insight {
+
+/// Of the same steps, up to 24, that follow each other three times or more in the same order, known equally
+/// well, only the last time stays, with the number of times in `times` and a number of its own in `cycle`.
+/// What followed from an earlier time follows from what led to the first. What the player did is never
+/// folded. O(steps * 24).
+void foldRepeats(std::vector<ChainStep>& chain);
+
+} // namespace trembler::insight

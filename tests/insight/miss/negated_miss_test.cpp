@@ -1,0 +1,84 @@
+// How near something was that should cease to hold.
+#include "insight/miss/negated_miss.hpp"
+#include "insight/miss/ways_of_current.hpp"
+#include "insight/why/words.hpp"
+#include "runtime/level/json/json_document.hpp"
+#include "runtime/level/read/read_level.hpp"
+#include "tests/insight/support/explained_miss.hpp"
+
+#include <gtest/gtest.h>
+
+namespace trembler::insight {
+namespace negated_miss_test {
+namespace {
+
+LevelFile levelWith(std::string const& goals, std::string const& more = "") {
+    std::string const text = R"({"version": 2, "title": "Negated",
+  "world": {"gravity": [0, 0], "bounds": [-10, -10, 20, 20]},
+  "objects": [{"name": "ball", "at": [0.5, 0.2], "properties":
+                 {"shape": [{"form": "circle", "radius": 0.1}], "density": 1000}}])" +
+                             more + R"(, "goals": )" + goals + "}";
+    return readLevel(testedData().registry, JsonDocument::parse(text, "negated.json"));
+}
+
+TEST(NegatedMiss, OfAnAreaIsTheWayOut) {
+    Miss const miss =
+        explainedMiss(levelWith(R"({"not": {"inside": {"object": "ball", "area": [0, 0, 2, 2]}}})"), 2);
+    EXPECT_EQ(miss.lack, Lack::distance);
+    EXPECT_NEAR(miss.by, 0.2, 1e-6);
+    EXPECT_LT(miss.measure, 0.5);
+    EXPECT_EQ(sentencesOf(miss, AnswerLanguage()).front(),
+              "The ball was 20 cm short of where it should be, at 0.0 s.");
+}
+
+TEST(NegatedMiss, OfSeveralIsTheNearestOrTheMean) {
+    std::string const near = R"({"inside": {"object": "ball", "area": [0, 0, 2, 2]}})";
+    std::string const far = R"({"inside": {"object": "ball", "area": [-3, -3, 9, 9]}})";
+    Miss const all = explainedMiss(levelWith(R"({"not": {"all": [)" + near + "," + far + "]}}"), 2);
+    EXPECT_NEAR(all.by, 0.2, 1e-6) << "one of them suffices";
+    Miss const any = explainedMiss(levelWith(R"({"not": {"any": [)" + near + "," + far + "]}}"), 2);
+    EXPECT_NEAR(any.by, 3.2, 1e-6) << "each of them must end";
+    EXPECT_GT(any.measure, all.measure);
+}
+
+/// A lamp between a source and a return, each with as many wires as stated.
+LevelFile lampWith(int wiresToSource, int wiresToReturn) {
+    std::string objects =
+        R"({"name": "source", "at": [3, 0], "properties": {"conductor": true, "electrical_source": true}},
+      {"name": "return", "at": [4, 0], "properties": {"conductor": true, "electrical_return": true}},
+      {"name": "lamp", "at": [5, 0], "properties": {"conductor": true}})";
+    std::string wires;
+    auto const join = [&](std::string const& end, int count) {
+        for (int i = 0; i < count; ++i) { // over a conductor of its own each
+            std::string const name = end + " " + std::to_string(i);
+            objects += R"(, {"name": ")" + name + R"(", "at": [6, )" + std::to_string(i) +
+                       R"(], "properties": {"conductor": true}})";
+            for (std::string const& other : {end, std::string("lamp")}) {
+                wires += (wires.empty() ? "" : ", ") + (R"([")" + name + R"(", ")" + other + R"("])");
+            }
+        }
+    };
+    join("source", wiresToSource);
+    join("return", wiresToReturn);
+    std::string const text = R"({"version": 2, "title": "Off", "world": {"bounds": [-10, -10, 20, 20]},
+      "objects": [)" + objects +
+                             R"(], "connections": [)" + wires + R"(], "goals": {"off": "lamp", "for": 1}})";
+    return readLevel(testedData().registry, JsonDocument::parse(text, "off.json"));
+}
+
+TEST(NegatedMiss, OfACurrentIsTheNumberOfConnectionsThatHoldIt) {
+    for (auto const& [source, back, ways] : {std::tuple(1, 1, 1), {1, 3, 1}, {3, 2, 2}, {3, 3, 3}}) {
+        LevelFile const level = lampWith(source, back);
+        auto const world = buildWorld(testedData().registry, level, testedData().parts);
+        world->step();
+        EXPECT_EQ(waysOfCurrent(*world, world->store().find("lamp")), ways);
+        Miss const miss = explainedMiss(level, 4);
+        EXPECT_EQ(miss.lack, Lack::ways);
+        EXPECT_EQ(miss.by, ways);
+    }
+    EXPECT_LT(explainedMiss(lampWith(1, 3), 4).measure, explainedMiss(lampWith(2, 3), 4).measure);
+}
+
+} // namespace
+} // namespace negated_miss_test
+} // namespace trembler::insight
