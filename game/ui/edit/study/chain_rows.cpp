@@ -3,7 +3,7 @@
 #include "game/ui/edit/study/level_studies.hpp"
 #include "game/ui/edit/study/study_rows.hpp"
 #include "game/ui/edit/study/study_words.hpp"
-#include "game/ui/shared/language_in_use.hpp"
+#include "game/ui/shared/answer_language.hpp"
 #include "game/ui/shared/texts.hpp"
 #include "insight/why/words.hpp"
 #include "render/panels/cards.hpp"
@@ -27,7 +27,7 @@ void drawChains(EditParts& parts, insight::SolutionReport const& solution) {
         return;
     }
     studyText(words::chainHeading);
-    insight::AnswerLanguage const language = languageInUse();
+    insight::AnswerLanguage const language = answerLanguageInUse();
     for (std::size_t i = 0; i < solution.chains.size(); ++i) {
         insight::Answer const& answer = solution.chains[i];
         std::string text;

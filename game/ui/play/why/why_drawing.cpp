@@ -171,7 +171,7 @@ void drawWhyWords(Camera const& camera, double uiScale, WhyPanel const& panel) {
                         .below = -static_cast<float>(besideRing + 4)});
         }
     } else if (Miss const* const miss = missOf(panel); panel.open() && miss != nullptr) {
-        insight::AnswerLanguage const language = languageInUse();
+        insight::AnswerLanguage const language = answerLanguageInUse();
         forEachLack(*miss, miss->frame, [&](Point from, Point to, double width) {
             worldLabel(camera, 0.5 * (from + to), language.distance(width).c_str(),
                        {.look = LabelLook::Chip,

@@ -183,7 +183,7 @@ std::string WhyPanel::subjectText() const {
         return words::capital(goalText(subject_.goal));
     }
     if (!subject_.object.empty()) {
-        return words::capital(languageInUse().the(subject_.object));
+        return words::capital(answerLanguageInUse().the(subject_.object));
     }
     return "";
 }
@@ -204,7 +204,7 @@ std::vector<std::string> WhyPanel::lines() const {
     if (!answer_) {
         return all;
     }
-    insight::AnswerLanguage const language = languageInUse();
+    insight::AnswerLanguage const language = answerLanguageInUse();
     if (!answer_->happened) {
         return sentencesOf(*answer_, goalText(answer_->goal), language);
     }

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "game/ui/play/why/inquiry.hpp"
-#include "game/ui/shared/language_in_use.hpp"
+#include "game/ui/shared/answer_language.hpp"
 #include "game/ui/shared/layout.hpp"
 #include "insight/timeline/marks.hpp"
 #include "insight/why/words.hpp"

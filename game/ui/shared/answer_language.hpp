@@ -7,7 +7,7 @@
 namespace trembler::ui {
 
 /// Valid until useLanguage(). Window thread only.
-[[nodiscard]] inline insight::AnswerLanguage languageInUse() {
+[[nodiscard]] inline insight::AnswerLanguage answerLanguageInUse() {
     Catalogue const* const catalogue = catalogueInUse();
     return catalogue == nullptr ? insight::AnswerLanguage() : insight::AnswerLanguage(*catalogue);
 }
