@@ -21,15 +21,19 @@ struct TabRow {
     char const* id;
     char const* const& title; // in the language in use
 };
-std::array<TabRow, 9> const tabRows{{{Tab::parts, "edit-parts", words::tabParts},
-                                     {Tab::outline, "edit-outline", words::tabOutline},
-                                     {Tab::properties, "edit-properties", words::tabProperties},
-                                     {Tab::goals, "edit-goals", words::tabGoals},
-                                     {Tab::level, "edit-level", words::tabLevel},
-                                     {Tab::solutions, "edit-solutions", words::tabSolutions},
-                                     {Tab::report, "edit-report", words::tabReport},
-                                     {Tab::search, "edit-search", words::tabSearch},
-                                     {Tab::problems, "edit-problems", words::tabProblems}}};
+/// Made at its first use: the words are initialised when the program starts.
+std::array<TabRow, 9> const& tabRows() {
+    static std::array<TabRow, 9> const rows{{{Tab::parts, "edit-parts", words::tabParts},
+                                             {Tab::outline, "edit-outline", words::tabOutline},
+                                             {Tab::properties, "edit-properties", words::tabProperties},
+                                             {Tab::goals, "edit-goals", words::tabGoals},
+                                             {Tab::level, "edit-level", words::tabLevel},
+                                             {Tab::solutions, "edit-solutions", words::tabSolutions},
+                                             {Tab::report, "edit-report", words::tabReport},
+                                             {Tab::search, "edit-search", words::tabSearch},
+                                             {Tab::problems, "edit-problems", words::tabProblems}}};
+    return rows;
+}
 
 /// The number of problems on the tab of their page.
 void drawBadge(std::size_t count) {
@@ -50,9 +54,9 @@ void drawBadge(std::size_t count) {
 void drawTabs(EditParts& parts, CommandSet const& commands) {
     CommandButtons const buttons(parts.context.layout, parts.context.keys, commands);
     float const gap = 3;
-    auto const count = static_cast<float>(tabRows.size());
+    auto const count = static_cast<float>(tabRows().size());
     float const width = (ImGui::GetContentRegionAvail().x / theme().scale - (count - 1) * gap) / count;
-    for (TabRow const& row : tabRows) {
+    for (TabRow const& row : tabRows()) {
         if (row.tab != Tab::parts) {
             ImGui::SameLine(0, scaled(gap));
         }
@@ -87,7 +91,7 @@ PanelUse drawSidePanel(EditParts& parts, CommandSet const& commands) {
                      {.anchor = Anchor::TopRight, .offset = {editGap, topBar + 4}, .width = sidePanelWidth});
     drawTabs(parts, commands);
     ImGui::PushFont(theme().fonts.heading);
-    for (TabRow const& row : tabRows) {
+    for (TabRow const& row : tabRows()) {
         if (row.tab == parts.tab) {
             ImGui::TextUnformatted(row.title);
         }
