@@ -48,8 +48,9 @@ public:
     [[nodiscard]] std::vector<ToolboxSlot> toolbox() const;
 
     /// Whether a part may be placed there: the level must allow it, it must lie wholly in the areas for
-    /// placing (whyItSticksOut()), and it must not overlap anything in `world`, which was built from now(). If a placed part is being moved there, `moved` is its number and
-    /// `ignored` are its objects, which are not checked for overlap.
+    /// placing (whyItSticksOut()), and it must not overlap anything in `world`, which was built from now().
+    /// If a placed part is being moved there, `moved` is its number and `ignored` are its objects, which are
+    /// not checked for overlap.
     [[nodiscard]] Verdict check(Placement const& placement, World const& world, std::optional<int> moved = {},
                                 std::span<ObjectId const> ignored = {}) const;
 

@@ -209,7 +209,7 @@ std::vector<Point> loopedCable(Point from, Point to, double length) {
     Point const middle = 0.5 * (from + to);
     double const span = render::length(to - from);
     // Handles that lie crosswise make a loop. They are as deep as the cable is long.
-    double const aside = length - span > slackForLoop ? 1.1 * length : -0.3 * span;
+    double const aside = (length - span > slackForLoop ? 0.9 : -0.3) * span;
     double shallow = 0;
     double deep = 4 * length;
     std::vector<Point> path;

@@ -19,20 +19,40 @@ using namespace render;
 struct TabRow {
     Tab tab;
     char const* id;
-    char const* const& title; // in the language in use
 };
-/// Made at its first use: the words are initialised when the program starts.
-std::array<TabRow, 9> const& tabRows() {
-    static std::array<TabRow, 9> const rows{{{Tab::parts, "edit-parts", words::tabParts},
-                                             {Tab::outline, "edit-outline", words::tabOutline},
-                                             {Tab::properties, "edit-properties", words::tabProperties},
-                                             {Tab::goals, "edit-goals", words::tabGoals},
-                                             {Tab::level, "edit-level", words::tabLevel},
-                                             {Tab::solutions, "edit-solutions", words::tabSolutions},
-                                             {Tab::report, "edit-report", words::tabReport},
-                                             {Tab::search, "edit-search", words::tabSearch},
-                                             {Tab::problems, "edit-problems", words::tabProblems}}};
-    return rows;
+constexpr std::array<TabRow, 9> tabRows{{{Tab::parts, "edit-parts"},
+                                         {Tab::outline, "edit-outline"},
+                                         {Tab::properties, "edit-properties"},
+                                         {Tab::goals, "edit-goals"},
+                                         {Tab::level, "edit-level"},
+                                         {Tab::solutions, "edit-solutions"},
+                                         {Tab::report, "edit-report"},
+                                         {Tab::search, "edit-search"},
+                                         {Tab::problems, "edit-problems"}}};
+
+/// In the language in use. Not in the table above, which may be made before the words are.
+char const* titleOf(Tab tab) {
+    switch (tab) {
+    case Tab::parts:
+        return words::tabParts;
+    case Tab::outline:
+        return words::tabOutline;
+    case Tab::properties:
+        return words::tabProperties;
+    case Tab::goals:
+        return words::tabGoals;
+    case Tab::level:
+        return words::tabLevel;
+    case Tab::solutions:
+        return words::tabSolutions;
+    case Tab::report:
+        return words::tabReport;
+    case Tab::search:
+        return words::tabSearch;
+    case Tab::problems:
+        break;
+    }
+    return words::tabProblems;
 }
 
 /// The number of problems on the tab of their page.
@@ -91,11 +111,7 @@ PanelUse drawSidePanel(EditParts& parts, CommandSet const& commands) {
                      {.anchor = Anchor::TopRight, .offset = {editGap, topBar + 4}, .width = sidePanelWidth});
     drawTabs(parts, commands);
     ImGui::PushFont(theme().fonts.heading);
-    for (TabRow const& row : tabRows()) {
-        if (row.tab == parts.tab) {
-            ImGui::TextUnformatted(row.title);
-        }
-    }
+    ImGui::TextUnformatted(titleOf(parts.tab));
     ImGui::PopFont();
     float const used = ImGui::GetCursorPosY() + ImGui::GetStyle().WindowPadding.y;
     // In a narrow window the line with the grid reaches below the panel.

@@ -47,6 +47,26 @@ TEST(SceneGallery, EveryPart) {
     EXPECT_EQ(drawn, library.all().size());
 }
 
+// As in the toolbox: large enough to be told apart without their names.
+TEST(SceneGallery, CablesOnTheirTiles) {
+    PartLibrary const library = loadParts(everything(), root / "assets" / "parts");
+    std::vector<double> lows; // how deep the cable hangs, as a share of the part's width
+    for (char const* const name : {"wire", "short wire"}) {
+        Placement const placement{name, {}, 0, ""};
+        Extent const extent = extentOnTile(library, placement);
+        EXPECT_LT(extent.lower.y, extentOfPart(library, placement).lower.y) << name;
+        lows.push_back(extent.half().y / extent.half().x);
+        Camera camera{{}, 100, {160, 160}};
+        camera.fit(extent.lower, extent.upper, 16);
+        keepForPeople(picture(
+                          {160, 160}, palette::paperLight,
+                          [&](Canvas& canvas) { drawPartOnTile(canvas, library, placement); }, {}, camera),
+                      "tile-" + std::string(name));
+    }
+    EXPECT_GT(lows[0], 0.3) << "it fills a good part of its tile";
+    EXPECT_GT(lows[1], 0.3);
+}
+
 // A world with one of each kind of joint, after a second in which gravity has pulled at it.
 TEST(SceneGallery, EveryJoint) {
     World world(everything());
