@@ -203,7 +203,9 @@ void expectTrueCauses(LevelRuns const& runs, Solution const& solution, CheckedKi
             EXPECT_TRUE(one.proof == Proof::confirmed || one.proof == Proof::together)
                 << "neither the trace nor a run connects it: " << one.step.what;
         }
-        if (one.proof != Proof::confirmed || i + 1 == answer.chain.size()) {
+        // What is no candidate is confirmed by what it follows from, see docs/why.md.
+        bool const candidate = !one.step.bridge && !isGranted(one.step, answer.facts);
+        if (one.proof != Proof::confirmed || i + 1 == answer.chain.size() || !candidate) {
             continue;
         }
         std::vector<LeftOut> const without = withoutStep(one.step, answer.facts, solution);
@@ -245,7 +247,7 @@ INSTANTIATE_TEST_SUITE_P(Of, WhyInRandomWorlds, testing::Range<std::uint64_t>(0,
 // The same of what a player did: placed parts, among them magnets, a wire, a push and a cut.
 TEST(WhyInRandomRuns, ConfirmedDeedsAreCauses) {
     CheckedKinds checked;
-    for (std::uint64_t seed = 100; seed < 116; ++seed) {
+    for (std::uint64_t seed = 100; seed < 112; ++seed) {
         auto level = randomLevel(seed, 3);
         if (!level) {
             continue;
