@@ -7,6 +7,7 @@
 #include "runtime/level/read/read_level.hpp"
 #include "runtime/placement.hpp"
 #include "runtime/trace/tracer.hpp"
+#include "tests/support/sanitizer.hpp"
 #include "tests/worlds/random_level.hpp"
 
 #include <gtest/gtest.h>
@@ -247,7 +248,8 @@ INSTANTIATE_TEST_SUITE_P(Of, WhyInRandomWorlds, testing::Range<std::uint64_t>(0,
 // The same of what a player did: placed parts, among them magnets, a wire, a push and a cut.
 TEST(WhyInRandomRuns, ConfirmedDeedsAreCauses) {
     CheckedKinds checked;
-    for (std::uint64_t seed = 100; seed < 112; ++seed) {
+    std::uint64_t const end = test::underSanitizer ? 103 : 112;
+    for (std::uint64_t seed = 100; seed < end; ++seed) {
         auto level = randomLevel(seed, 3);
         if (!level) {
             continue;
@@ -255,6 +257,9 @@ TEST(WhyInRandomRuns, ConfirmedDeedsAreCauses) {
         SCOPED_TRACE(seed);
         Solution const solution = drawnSolution(*level, seed);
         expectTrueCauses(LevelRuns(whyWorldsData(), *level), solution, checked);
+    }
+    if (test::underSanitizer) {
+        return; // so few may have none
     }
     EXPECT_GT(checked[StepKind::placed], 2);
     EXPECT_GT(checked[StepKind::placed] + checked[StepKind::wired] + checked[StepKind::grabbed] +
