@@ -6,7 +6,6 @@
 #include "insight/trial/level_under_test.hpp"
 #include "insight/why/answer.hpp"
 
-#include <optional>
 #include <string>
 #include <vector>
 

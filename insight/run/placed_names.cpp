@@ -3,7 +3,6 @@
 #include "runtime/level/build/placing.hpp"
 
 #include <algorithm>
-#include <string_view>
 
 namespace trembler::insight {
 namespace {

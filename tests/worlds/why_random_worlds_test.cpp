@@ -8,6 +8,7 @@
 #include "runtime/placement.hpp"
 #include "runtime/trace/tracer.hpp"
 #include "tests/support/game_data.hpp"
+#include "tests/support/sanitizer.hpp"
 #include "tests/worlds/random_level.hpp"
 
 #include <gtest/gtest.h>
@@ -199,7 +200,9 @@ void expectTrueCauses(LevelRuns const& runs, Solution const& solution, CheckedKi
             EXPECT_TRUE(one.proof == Proof::confirmed || one.proof == Proof::together)
                 << "neither the trace nor a run connects it: " << one.step.what;
         }
-        if (one.proof != Proof::confirmed || i + 1 == answer.chain.size()) {
+        // What is no candidate is confirmed by what it follows from, see docs/why.md.
+        bool const candidate = !one.step.bridge && !isGranted(one.step, answer.facts);
+        if (one.proof != Proof::confirmed || i + 1 == answer.chain.size() || !candidate) {
             continue;
         }
         std::vector<LeftOut> const without = withoutStep(one.step, answer.facts, solution);
@@ -241,7 +244,8 @@ INSTANTIATE_TEST_SUITE_P(Of, WhyInRandomWorlds, testing::Range<std::uint64_t>(0,
 // The same of what a player did: placed parts, among them magnets, a wire, a push and a cut.
 TEST(WhyInRandomRuns, ConfirmedDeedsAreCauses) {
     CheckedKinds checked;
-    for (std::uint64_t seed = 100; seed < 116; ++seed) {
+    std::uint64_t const end = test::underSanitizer ? 103 : 112;
+    for (std::uint64_t seed = 100; seed < end; ++seed) {
         auto level = randomLevel(seed, 3);
         if (!level) {
             continue;
@@ -249,6 +253,9 @@ TEST(WhyInRandomRuns, ConfirmedDeedsAreCauses) {
         SCOPED_TRACE(seed);
         Solution const solution = drawnSolution(*level, seed);
         expectTrueCauses(LevelRuns(whyWorldsData(), *level), solution, checked);
+    }
+    if (test::underSanitizer) {
+        return; // so few may have none
     }
     EXPECT_GT(checked[StepKind::placed], 2);
     EXPECT_GT(checked[StepKind::placed] + checked[StepKind::wired] + checked[StepKind::grabbed] +

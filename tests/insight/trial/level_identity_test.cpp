@@ -96,6 +96,12 @@ nlohmann::json numbersOf(LevelFile level, Journal* journal = nullptr) {
     report.erase("shortcomings"); // they name solutions
     for (nlohmann::json& solution : report["solutions"]) {
         solution.erase("name");
+        for (nlohmann::json& chain : solution["chains"]) { // sentences name the goal
+            chain.erase("answer");
+            for (nlohmann::json& step : chain["chain"]) {
+                step.erase("text");
+            }
+        }
     }
     return report;
 }
