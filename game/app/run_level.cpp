@@ -163,7 +163,8 @@ void tellOfSlowness(RunOptions& run, Session const& session, Progress& progress)
         });
         progress.clear();
         std::cerr << fmt::format("trembler: frame {} took {:.1f} s of processor time, most of it in {}\n",
-                                 frame, seconds, most == status.end() ? "no component" : most->info->name);
+                                 frame, seconds,
+                                 most == status.end() ? "no component" : most->info->text.name);
     };
 }
 
