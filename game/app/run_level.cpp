@@ -153,8 +153,7 @@ void plotWith(RunOptions& run, insight::Probes& probes, std::vector<Subscription
 void tellOfSlowness(RunOptions& run, Session const& session, Progress& progress) {
     Store const& store = session.world().store();
     if (auto const crowd = crowdedStart(store)) {
-        std::cerr << "trembler: " << visible(store.nameOf(crowd->body)) << ": " << inWords(*crowd)
-                  << std::endl;
+        std::cerr << "trembler: " << visible(inWords(*crowd, store.nameOf(crowd->body))) << std::endl;
     }
     run.slow = [&progress](World const& world, std::uint64_t frame, double seconds) {
         auto const status = world.status();

@@ -21,7 +21,7 @@ bool complainAboutCrowds(LevelFile const& level, World const& world, Problems& p
         object == level.objects.end() || object->path.empty() ? "/objects" : object->path + "/at";
     addProblem(problems, [&] {
         return level.diagnostic(
-            path, fmt::format("{}: {}", name, inWords(*crowd)),
+            path, inWords(*crowd, name),
             fmt::format("at most {} pairs, with as many bodies that can move as here", crowd->usual));
     });
     return true;

@@ -102,11 +102,11 @@ std::optional<CrowdedStart> crowdedStart(Store const& store) {
     return crowd.pairs > crowd.usual ? std::optional(crowd) : std::nullopt;
 }
 
-std::string inWords(CrowdedStart const& crowd) {
+std::string inWords(CrowdedStart const& crowd, std::string const& name) {
     return fmt::format(
         "{} pairs of pieces of bodies lie in one another or side by side at the start, so each "
-        "frame takes long: the box around this one meets those around {} others",
-        crowd.pairs, crowd.nearest);
+        "frame takes long; the box around a piece of '{}' meets those around {} others",
+        crowd.pairs, name, crowd.nearest);
 }
 
 } // namespace trembler

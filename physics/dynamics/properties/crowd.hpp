@@ -34,7 +34,7 @@ struct CrowdedStart {
 /// bodies has no crowd, and 250 in one place are one. Pairs of fixed pieces do not count, as no engine
 /// compares them. In n log n of all pieces; nothing if there is no crowd.
 [[nodiscard]] std::optional<CrowdedStart> crowdedStart(Store const& store);
-/// "31125 pairs of bodies lie in one another ..."
-[[nodiscard]] std::string inWords(CrowdedStart const& crowd);
+/// "31125 pairs of pieces of bodies lie in one another ...". `name` is that of the body.
+[[nodiscard]] std::string inWords(CrowdedStart const& crowd, std::string const& name);
 
 } // namespace trembler
