@@ -129,9 +129,10 @@ int main(int argc, char** argv) {
         if (markdown) {
             fmt::print("| {} | {} | {} | {} | {} |\n", name, text(worst.figures, true),
                        text(worst.figures, false), worst.holds ? "yes" : "**no**",
-                       !one.tunable ? "–"
-                       : search     ? cheapest(one, setting, searchSeeds)
-                                    : "not searched");
+                       one.version    ? one.version()
+                       : !one.tunable ? "–"
+                       : search       ? cheapest(one, setting, searchSeeds)
+                                      : "not searched");
         } else {
             fmt::print("{:<58} {} {}; {:.2f} s\n", name, worst.holds ? "holds" : "FAILS",
                        text(worst.figures, false), worst.seconds);

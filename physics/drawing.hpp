@@ -53,7 +53,9 @@ struct Drawing {
         visit(FieldInfo{.key = "shapes",
                         .unit = "",
                         .meaning = "what is drawn, from bottom to top; at most 200 shapes",
-                        .required = true},
+                        .required = true,
+                        .least = 1,
+                        .most = mostShapes},
               self.shapes);
     }
     friend bool operator==(Drawing const&, Drawing const&) = default;

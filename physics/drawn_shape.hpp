@@ -111,6 +111,18 @@ struct DrawnShape {
                             .geometry = FieldGeometry::ownVector},
                   field);
         };
+        auto const places = [&](std::string_view key, std::string_view meaning, std::size_t least,
+                                auto& field) {
+            visit(FieldInfo{.key = key,
+                            .unit = "m",
+                            .meaning = meaning,
+                            .minimum = -far,
+                            .maximum = far,
+                            .geometry = FieldGeometry::ownVector,
+                            .least = least,
+                            .most = mostCorners},
+                  field);
+        };
         auto const angle = [&](std::string_view key, std::string_view meaning, auto& field) {
             visit(FieldInfo{.key = key,
                             .unit = "rad",
@@ -155,10 +167,10 @@ struct DrawnShape {
             }
             break;
         case DrawnForm::polygon:
-            place("corners", "3 to 64 corners of the polygon, which need not be convex", self.corners);
+            places("corners", "3 to 64 corners of the polygon, which need not be convex", 3, self.corners);
             break;
         case DrawnForm::line:
-            place("points", "2 to 64 points of the line", self.points);
+            places("points", "2 to 64 points of the line", 2, self.points);
             metres("thickness", "of the line", 1e-3, self.thickness);
             plain("curved", "whether the line is a smooth curve through its points", self.curved);
             break;

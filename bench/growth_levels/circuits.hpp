@@ -38,6 +38,37 @@ inline Json lamps(int n) {
     return made;
 }
 
+/// n networks, each with a source, a return and a lamp of its own, which share the way from their lamps to
+/// their returns: one wire, or n wires in a row, of which each network uses a different one. A lamp of the
+/// first networks is cut off in each frame.
+inline Json networks(int n, bool row) {
+    Json made = level("networks");
+    add(made, "shared 0", 0, 0, {{"conductor", true}});
+    Json inputs = Json::array();
+    for (int i = 0; i < n; ++i) {
+        std::string const network = numbered("network", i);
+        std::string const shared = numbered("shared", row ? i : 0);
+        add(made, numbered("source", i), i, 1,
+            {{"conductor", true}, {"electrical_source", {{"network", network}}}});
+        add(made, numbered("lamp", i), i, 2,
+            {{"conductor", {{"network", network}}}, {"electrical_device", true}});
+        add(made, numbered("return", i), i, 3,
+            {{"conductor", true}, {"electrical_return", {{"network", network}}}});
+        if (row && i > 0) {
+            add(made, shared, i, 0, {{"conductor", true}});
+            made["connections"].push_back({numbered("shared", i - 1), shared});
+        }
+        made["connections"].push_back({numbered("source", i), numbered("lamp", i)});
+        made["connections"].push_back({numbered("lamp", i), shared});
+        made["connections"].push_back({shared, numbered("return", i)});
+    }
+    for (int frame = 1; frame <= framesOfGrowth + 1; ++frame) {
+        inputs.push_back({{"frame", frame}, {"cut", {numbered("source", frame), numbered("lamp", frame)}}});
+    }
+    made["solutions"] = {{{"name", "cut"}, {"inputs", inputs}}};
+    return made;
+}
+
 /// A square net of resistors between a source and a return.
 inline Json net(int n) {
     Json made = level("net");

@@ -9,6 +9,7 @@
 #include "game/app/progress.hpp"
 #include "insight/probe/plot.hpp"
 #include "insight/probe/watch_table.hpp"
+#include "physics/dynamics/properties/crowd.hpp"
 #include "physics/dynamics/properties/settings.hpp"
 #include "physics/electricity/analyses/spice.hpp"
 #include "puzzle/run/frame_account.hpp"
@@ -20,6 +21,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <iostream>
 #include <span>
 
@@ -146,6 +148,25 @@ void plotWith(RunOptions& run, insight::Probes& probes, std::vector<Subscription
     };
 }
 
+/// Tells of what makes frames long: bodies in one place before the first frame, and every frame that took
+/// long.
+void tellOfSlowness(RunOptions& run, Session const& session, Progress& progress) {
+    Store const& store = session.world().store();
+    if (auto const crowd = crowdedStart(store)) {
+        std::cerr << "trembler: " << visible(inWords(*crowd, store.nameOf(crowd->body))) << std::endl;
+    }
+    run.slow = [&progress](World const& world, std::uint64_t frame, double seconds) {
+        auto const status = world.status();
+        auto const most = std::max_element(status.begin(), status.end(), [](auto const& a, auto const& b) {
+            return a.lastMicroseconds < b.lastMicroseconds;
+        });
+        progress.clear();
+        std::cerr << fmt::format("trembler: frame {} took {:.1f} s of processor time, most of it in {}\n",
+                                 frame, seconds,
+                                 most == status.end() ? "no component" : most->info->text.name);
+    };
+}
+
 } // namespace
 
 int runLevel(RunArguments const& arguments) {
@@ -209,6 +230,7 @@ int runLevel(RunArguments const& arguments) {
         progress.frames(done, run.frames);
         outputs.check(); // fail early: the remaining outputs would be useless
     };
+    tellOfSlowness(run, session, progress);
     std::optional<RunSound> sound;
     if (arguments.sound) {
         sound.emplace(*arguments.sound, arguments.level, gameData, run);

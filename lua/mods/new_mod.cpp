@@ -1,5 +1,6 @@
 // The mod that `trembler mod new` makes: small, complete, and it works.
 #include "lua/mods/mod.hpp"
+#include "physics/gravity/properties.hpp"
 #include "runtime/file/output_file.hpp"
 
 #include <fmt/format.h>
@@ -49,7 +50,7 @@ constexpr char const* levelText = R"({{
   "text": "The block is pushed along the ice to the wall.",
   "mods": ["{0}"],
   "demonstration": true,
-  "world": {{"gravity": [0, -9.81], "bounds": [-4, -0.5, 8, 3]}},
+  "world": {{"gravity": [0, {2}], "bounds": [-4, -0.5, 8, 3]}},
   "objects": [
     {{"name": "ice", "at": [0, -0.15],
      "properties": {{"material": "stone", "friction": 0, "fixed": true,
@@ -88,8 +89,9 @@ void writeNewMod(fs::path const& folder, std::string const& name) {
     }
     writeInto(folder / "mod.json", fmt::format(modText, name));
     writeInto(folder / "interactions" / "push.lua", fmt::format(scriptText, name));
-    writeInto(folder / "levels" / "1-push.json", fmt::format(levelText, name, "Push"));
-    writeInto(folder / "tests" / "push.json", fmt::format(levelText, name, "It is pushed to the wall"));
+    writeInto(folder / "levels" / "1-push.json", fmt::format(levelText, name, "Push", -earthGravity));
+    writeInto(folder / "tests" / "push.json",
+              fmt::format(levelText, name, "It is pushed to the wall", -earthGravity));
 }
 
 } // namespace trembler::lua

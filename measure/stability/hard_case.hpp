@@ -32,6 +32,9 @@ struct HardCase {
     bool quick = true;
     /// Whether the seed influences the result.
     bool jittered = true;
+    /// Of what it is about, in its present version, for the table: a test computes it again, and so finds
+    /// rows that are stale. Much faster than a run; usually none.
+    std::function<std::string()> version = nullptr;
 };
 
 [[nodiscard]] std::vector<HardCase> chainCases();

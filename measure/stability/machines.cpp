@@ -6,6 +6,8 @@
 #include "runtime/level/read/read_level.hpp"
 #include "runtime/placement.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -143,6 +145,17 @@ std::vector<Figure> handsOff(Setting const& setting, std::filesystem::path const
     return {{"out of bounds", "", 0, static_cast<double>(out.size())}, {"not finite", "", 0, odd}};
 }
 
+// How the level looks after ten seconds without player input.
+std::string versionOf(std::filesystem::path const& path) {
+    LevelFile const level = loadLevel(gameData().registry, path);
+    Session session(gameData().registry, gameData().parts, level,
+                    WorldOptions{.threads = 1, .detail = level.detail, .periods = {}});
+    for (int frame = 0; frame < 600; ++frame) {
+        session.step();
+    }
+    return fmt::format("frame 600: {:016x}", session.world().stateHash());
+}
+
 } // namespace
 
 std::vector<HardCase> machineCases() {
@@ -151,7 +164,7 @@ std::vector<HardCase> machineCases() {
     for (std::filesystem::path const& path : gameData().levels()) {
         cases.push_back({"1e5 frames hands off", gameData().shortName(path),
                          [path](Setting const& setting, std::uint64_t) { return handsOff(setting, path); },
-                         false, false, false});
+                         false, false, false, [path] { return versionOf(path); }});
     }
     return cases;
 }

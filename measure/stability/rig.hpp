@@ -6,6 +6,7 @@
 #include "physics/dynamics/properties/joint.hpp"
 #include "physics/dynamics/properties/settings.hpp"
 #include "physics/dynamics/properties/shape.hpp"
+#include "physics/gravity/properties.hpp"
 #include "runtime/world/world.hpp"
 
 #include <cstdint>
@@ -15,8 +16,8 @@
 
 namespace trembler::stability {
 
-inline constexpr int second = 60; ///< frames
-inline constexpr double g = 9.81; ///< m/s², of a Rig unless it is given another gravity
+inline constexpr int second = 60;         ///< frames
+inline constexpr double g = earthGravity; ///< m/s², of a Rig unless it is given another gravity
 
 /// How to run a case.
 struct Setting {

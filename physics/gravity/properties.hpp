@@ -7,6 +7,10 @@
 
 namespace trembler {
 
+/// m/s². The only g of the program: new levels have it, and hard cases are measured with it. Simulations have
+/// none of their own, they read the world's.
+inline constexpr double earthGravity = 9.81;
+
 /// The world's gravity: a level on Mars changes one number (3.3.3).
 struct GravityField {
     static constexpr PropertyKind kind = PropertyKind::object;

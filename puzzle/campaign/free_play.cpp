@@ -1,5 +1,6 @@
 #include "puzzle/campaign/free_play.hpp"
 
+#include "physics/gravity/properties.hpp"
 #include "runtime/level/json/limits.hpp"
 #include "runtime/level/model/level.hpp"
 #include "runtime/level/read/read_texts.hpp"
@@ -31,16 +32,16 @@ std::string freePlayLevel(PartLibrary const& parts, std::string const& title, st
     for (std::string const& name : names) {
         toolbox.push_back(Json{{"part", name}, {"count", limits::toolboxCount}});
     }
-    Json level{
-        {"version", levelVersion},
-        {"title", title},
-        {"text", text},
-        {"world", {{"gravity", Json::array({0, -9.81})}, {"bounds", Json::array({-6, -0.5, 12, 6.5})}}},
-        {"objects",
-         Json::array({slab("floor", {0, -0.15}, {11.6, 0.3}), slab("left wall", {-5.9, 2.75}, {0.2, 6.1}),
-                      slab("right wall", {5.9, 2.75}, {0.2, 6.1})})},
-        {"placing", Json::array({Json::array({-5.8, 0, 11.6, 5.8})})},
-        {"toolbox", std::move(toolbox)}};
+    Json level{{"version", levelVersion},
+               {"title", title},
+               {"text", text},
+               {"world",
+                {{"gravity", Json::array({0, -earthGravity})}, {"bounds", Json::array({-6, -0.5, 12, 6.5})}}},
+               {"objects", Json::array({slab("floor", {0, -0.15}, {11.6, 0.3}),
+                                        slab("left wall", {-5.9, 2.75}, {0.2, 6.1}),
+                                        slab("right wall", {5.9, 2.75}, {0.2, 6.1})})},
+               {"placing", Json::array({Json::array({-5.8, 0, 11.6, 5.8})})},
+               {"toolbox", std::move(toolbox)}};
     if (!texts.empty()) {
         level["texts"] = writeTexts(texts);
     }

@@ -38,6 +38,7 @@ LevelCheckup checkWholeLevel(GameData const& data, std::shared_ptr<JsonDocument 
         Problems problems;
         complainAboutReach(data, level, *built.world, problems);
         complainAboutHopeless(data, level, *built.world, problems);
+        checkup.crowded = complainAboutCrowds(level, *built.world, problems);
         problems.throwIfAny();
     } catch (InputError const& error) {
         checkup.problems = error.diagnostics();

@@ -20,10 +20,12 @@ struct LevelCheckup {
     std::vector<Diagnostic> lacking{};
     bool read = false;     ///< the file states a level
     bool playable = false; ///< and its world can be built and its goals judged: a session can be made of it
+    bool crowded = false;  ///< but each frame takes long, see complainAboutCrowds()
 };
 
 /// Reads the level, builds its world, sets up its goals, and if all that is possible, looks for what makes it
-/// useless: things out of bounds, a toolbox out of reach, and goals or a task that can never come true.
+/// useless: things out of bounds, a toolbox out of reach, goals or a task that can never come true, and so
+/// many bodies in one place that it hardly moves.
 /// Throws nothing but for lack of memory. `detail` overrides the detail levels that the level states.
 [[nodiscard]] LevelCheckup checkWholeLevel(GameData const& data,
                                            std::shared_ptr<JsonDocument const> const& document,
@@ -42,5 +44,10 @@ void complainAboutReach(GameData const& data, LevelFile const& level, World cons
 /// level, before its first frame.
 void complainAboutHopeless(GameData const& data, LevelFile const& level, World const& world,
                            Problems& problems);
+
+/// Complains about one body if so many lie in one place that each frame takes long, see crowdedStart(). The
+/// level can be played all the same. The world is that of the level, before its first frame. Returns whether
+/// there is a crowd.
+bool complainAboutCrowds(LevelFile const& level, World const& world, Problems& problems);
 
 } // namespace trembler

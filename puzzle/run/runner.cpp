@@ -4,9 +4,21 @@
 
 #include <algorithm>
 #include <chrono>
+#include <ctime>
 #include <ostream>
 
 namespace trembler {
+
+namespace {
+
+/// Not the time that passes, so that a busy machine makes no frame slow.
+double processorSeconds() {
+    timespec now{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+} // namespace
 
 RunReport run(Session& session, std::string levelName, RunOptions const& options) {
     RunReport report;
@@ -22,8 +34,14 @@ RunReport run(Session& session, std::string levelName, RunOptions const& options
         if (options.before) {
             options.before(session);
         }
+        double const begun = options.slow ? processorSeconds() : 0;
         session.step();
         World const& world = session.world();
+        if (options.slow) {
+            if (double const seconds = processorSeconds() - begun; seconds > options.slowAfter) {
+                options.slow(world, frame, seconds);
+            }
+        }
         if (options.frame) {
             options.frame(world);
         }

@@ -2,6 +2,7 @@
 // notation all use the same description.
 #pragma once
 
+#include "runtime/level/json/limits.hpp"
 #include "runtime/math/vec2.hpp"
 #include "runtime/object/object_id.hpp"
 
@@ -90,6 +91,10 @@ struct FieldInfo {
     AccuracyRange accuracy{}; ///< stated only for accuracy settings; everything else is physics
     bool adds = false;        ///< of an entry in a list: the values of several entries of one object add up
     FieldGeometry geometry = FieldGeometry::unstated;
+    /// Of a list: how many entries it must have, if a file states it. Only for the schema: a rule checks it,
+    /// as an author adds entries one by one.
+    std::size_t least = 0;
+    std::size_t most = limits::listInProperty; ///< of a list; files with more are refused
 };
 
 /// The names of an enumeration's values 0, 1, 2 ... as files spell them. Specialise for each

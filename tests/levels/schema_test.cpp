@@ -1,12 +1,17 @@
 #include "puzzle/data/published_schema.hpp"
 #include "puzzle/goals/level_schema.hpp"
+#include "runtime/level/build/build_world.hpp"
+#include "runtime/level/read/read_level.hpp"
 #include "runtime/level/write/schema.hpp"
 #include "tests/levels/level_kit.hpp"
 #include "tests/levels/schema_validator.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <fstream>
+#include <functional>
 #include <sstream>
 
 namespace trembler {
@@ -97,6 +102,63 @@ TEST(Schema, RefusesWhatTheReaderRefuses) {
         nlohmann::json level = nlohmann::json::parse(sampleLevel());
         level[nlohmann::json::json_pointer(c.pointer)] = nlohmann::json::parse(c.value);
         EXPECT_FALSE(validate(schema, level).empty()) << c.pointer;
+    }
+}
+
+/// Whether the schema accepts the sample level with this value, and whether the reader does.
+std::pair<bool, bool> acceptedWith(char const* pointer, nlohmann::json const& value) {
+    nlohmann::json level = nlohmann::json::parse(sampleLevel());
+    level[nlohmann::json::json_pointer(pointer)] = value;
+    bool read = true;
+    try {
+        (void)buildLevel(levelKit().registry,
+                         readLevel(levelKit().registry, JsonDocument::parse(level.dump(), "f.json")),
+                         levelKit().parts);
+    } catch (InputError const&) {
+        read = false;
+    }
+    return {validate(levelSchema(levelKit().registry), level).empty(), read};
+}
+
+// The limits that rules state in words, counted by writing as many entries.
+TEST(Schema, StatesAsManyEntriesOfListsAsAreRead) {
+    nlohmann::json const piece = {{"form", "circle"}};
+    nlohmann::json const corner = {0.5, 0};
+    auto const polygon = [](std::size_t corners) {
+        nlohmann::json all = nlohmann::json::array();
+        for (std::size_t i = 0; i < corners; ++i) {
+            double const angle =
+                2 * pi * static_cast<double>(i) / static_cast<double>(std::max<std::size_t>(1, corners));
+            all.push_back({std::cos(angle), std::sin(angle)});
+        }
+        return nlohmann::json::array({{{"form", "polygon"}, {"corners", all}}});
+    };
+    auto const drawn = [](nlohmann::json const& shapes) { return nlohmann::json{{"shapes", shapes}}; };
+    auto const line = [&](std::size_t points) {
+        return drawn(nlohmann::json::array(
+            {{{"form", "line"}, {"points", std::vector<nlohmann::json>(points, corner)}}}));
+    };
+    struct Case {
+        char const* pointer;
+        std::size_t least;
+        std::size_t most;
+        std::function<nlohmann::json(std::size_t)> make;
+    };
+    char const* const shape = "/objects/0/properties/shape";
+    char const* const drawing = "/objects/0/properties/drawing";
+    for (Case const& c : std::vector<Case>{
+             {shape, 1, 256, [&](std::size_t n) { return std::vector<nlohmann::json>(n, piece); }},
+             {shape, 3, 8, polygon},
+             {drawing, 1, 200, [&](std::size_t n) { return drawn(std::vector<nlohmann::json>(n, piece)); }},
+             {drawing, 3, 64, [&](std::size_t n) { return drawn(polygon(n)); }},
+             {drawing, 2, 64, line},
+         }) {
+        std::pair const good(true, true);
+        std::pair const bad(false, false);
+        EXPECT_EQ(acceptedWith(c.pointer, c.make(c.least)), good) << c.pointer << " " << c.least;
+        EXPECT_EQ(acceptedWith(c.pointer, c.make(c.most)), good) << c.pointer << " " << c.most;
+        EXPECT_EQ(acceptedWith(c.pointer, c.make(c.least - 1)), bad) << c.pointer << " " << c.least - 1;
+        EXPECT_EQ(acceptedWith(c.pointer, c.make(c.most + 1)), bad) << c.pointer << " " << c.most + 1;
     }
 }
 

@@ -88,7 +88,7 @@ Solution drawnSolution(LevelFile& level, std::uint64_t seed) {
     Solution solution;
     auto const builds = [&] {
         try {
-            (void)LevelRun(whyWorldsData().registry, whyWorldsData().parts, level, solution.placements, {},
+            (void)LevelRun(gameData().registry, gameData().parts, level, solution.placements, {},
                            solution.wires);
             return true;
         } catch (InputError const&) {
@@ -99,7 +99,7 @@ Solution drawnSolution(LevelFile& level, std::uint64_t seed) {
     level.wires = 4;
     level.toolbox.clear();
     for (char const* const part : {"small magnet", "steel bar", "crate", "iron ball", "battery"}) {
-        if (whyWorldsData().parts.find(part) == nullptr || level.objects.empty()) {
+        if (gameData().parts.find(part) == nullptr || level.objects.empty()) {
             continue;
         }
         level.toolbox.push_back({part, 1, ""});
@@ -217,8 +217,7 @@ void expectTrueCauses(LevelRuns const& runs, Solution const& solution, CheckedKi
 }
 
 std::optional<LevelFile> randomLevel(std::uint64_t seed, int objects) {
-    static worlds::RandomLevels const levels(levelSchema(whyWorldsData().registry),
-                                             whyWorldsData().parts.names());
+    static worlds::RandomLevels const levels(levelSchema(gameData().registry), gameData().parts.names());
     worlds::Manner manner;
     manner.extremes = 0;
     manner.anywhere = 0;
@@ -236,7 +235,7 @@ TEST_P(WhyInRandomWorlds, ConfirmedCausesAreCauses) {
         GTEST_SKIP() << "the reader rejects the level";
     }
     CheckedKinds checked;
-    expectTrueCauses(LevelRuns(whyWorldsData(), *level), {}, checked);
+    expectTrueCauses(LevelRuns(gameData(), *level), {}, checked);
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, WhyInRandomWorlds, testing::Range<std::uint64_t>(0, 12));
@@ -252,7 +251,7 @@ TEST(WhyInRandomRuns, ConfirmedDeedsAreCauses) {
         }
         SCOPED_TRACE(seed);
         Solution const solution = drawnSolution(*level, seed);
-        expectTrueCauses(LevelRuns(whyWorldsData(), *level), solution, checked);
+        expectTrueCauses(LevelRuns(gameData(), *level), solution, checked);
     }
     if (test::underSanitizer) {
         return; // so few may have none

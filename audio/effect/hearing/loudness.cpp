@@ -3,7 +3,7 @@
 #include "audio/effect/hearing/heard_sum.hpp"
 #include "audio/effect/hearing/smoothing.hpp"
 #include "audio/effect/properties/decibel.hpp"
-#include "physics/material.hpp"
+#include "physics/dynamics/properties/mass_properties.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -67,10 +67,9 @@ std::vector<Obstacle> obstaclesOf(LoudnessColumns const& columns) {
             continue;
         }
         Rotation const* const rotation = columns.rotation.find(id);
-        Density const* const density = columns.density.find(id);
-        addObstacles(obstacles, id, columns.shape.values()[row], position->value,
-                     rotation == nullptr ? 0 : rotation->angle,
-                     density == nullptr ? materialFacts(Material::plastic).density : density->value);
+        Shape const& shape = columns.shape.values()[row];
+        addObstacles(obstacles, id, shape, position->value, rotation == nullptr ? 0 : rotation->angle,
+                     densityOf(shape, columns.mass.find(id), columns.density.find(id)));
     }
     return obstacles;
 }

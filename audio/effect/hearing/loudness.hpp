@@ -20,6 +20,7 @@ struct LoudnessColumns {
     Column<Ear> const& ears;
     Column<SoundSensor> const& sensors;
     Column<Shape> const& shape;
+    Column<Mass> const& mass;
     Column<Density> const& density;
     Column<Position> const& position;
     Column<Rotation> const& rotation;
@@ -37,10 +38,11 @@ using ForPaths =
 
 /// `Self` adds `text` and `static constexpr PathDetail detail`.
 template <class Self>
-class LoudnessDps : public Dps<Self, Reads<Sounds, Ear, SoundSensor, Shape, Density, Position, Rotation>,
-                               Derives<Loudness>> {
-    using Base =
-        Dps<Self, Reads<Sounds, Ear, SoundSensor, Shape, Density, Position, Rotation>, Derives<Loudness>>;
+class LoudnessDps
+    : public Dps<Self, Reads<Sounds, Ear, SoundSensor, Shape, Mass, Density, Position, Rotation>,
+                 Derives<Loudness>> {
+    using Base = Dps<Self, Reads<Sounds, Ear, SoundSensor, Shape, Mass, Density, Position, Rotation>,
+                     Derives<Loudness>>;
 
 public:
     using Activation = NeedsAny<Ear, SoundSensor>;
@@ -48,13 +50,13 @@ public:
     static constexpr std::size_t waysToARange = 8;
 
     void update(Access& access) {
-        std::vector<Loudness::Entry> entries =
-            loudnessOf(access.template read<Sounds>(),
-                       {access.template read<Ear>(), access.template read<SoundSensor>(),
-                        access.template read<Shape>(), access.template read<Density>(),
-                        access.template read<Position>(), access.template read<Rotation>()},
-                       Self::detail,
-                       [&](std::size_t count, auto const& f) { access.forRanges(count, f, waysToARange); });
+        std::vector<Loudness::Entry> entries = loudnessOf(
+            access.template read<Sounds>(),
+            {access.template read<Ear>(), access.template read<SoundSensor>(), access.template read<Shape>(),
+             access.template read<Mass>(), access.template read<Density>(), access.template read<Position>(),
+             access.template read<Rotation>()},
+            Self::detail,
+            [&](std::size_t count, auto const& f) { access.forRanges(count, f, waysToARange); });
         auto const& before = access.template derived<Loudness>().entries;
         bool const same =
             std::equal(entries.begin(), entries.end(), before.begin(), before.end(),

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iostream>
 #include <sys/stat.h>
 
@@ -134,6 +135,16 @@ OutputFile* Outputs::add(std::string const& option, OutputTarget const& target, 
         throw OutputError(option + " " + error.what());
     }
     return outputs_.back().file.get();
+}
+
+bool Outputs::isFree(fs::path const& name) const {
+    std::error_code error;
+    if (fs::symlink_status(name, error).type() != fs::file_type::not_found) {
+        return false; // or it cannot be known
+    }
+    auto const is = [&](Claim const& claim) { return sameFile(name, claim.path); };
+    return std::none_of(inputs_.begin(), inputs_.end(), is) &&
+           std::none_of(outputs_.begin(), outputs_.end(), is);
 }
 
 void Outputs::drop(OutputFile const& output) {

@@ -66,6 +66,9 @@ public:
     /// The same checks for an output that other code opens and writes. It cannot go to the terminal:
     /// `expected` is the kind of file that the message asks for instead.
     void claimFile(std::string const& option, OutputTarget const& target, std::string const& expected);
+    /// Whether a new file can have this name without anything being replaced: no file, link or folder has it,
+    /// and it is neither an input nor another output of the command, even one that is not written yet.
+    [[nodiscard]] bool isFree(std::filesystem::path const& name) const;
     /// Leaves the target of an output as it was, and does not write it.
     void drop(OutputFile const& output);
     /// Whether any output goes to the terminal.

@@ -33,24 +33,40 @@ void drawFound(GameData const& data, fs::path const& level, insight::FoundSoluti
 }
 #endif
 
+/// Both names with the first stem of which they are free, and the reason for another one than the first.
+KeptFiles namesFor(std::string const& stem, fs::path const& folder, Outputs const& outputs) {
+    KeptFiles files;
+    for (int copy = 1;; ++copy) {
+        std::string const name = copy == 1 ? stem : fmt::format("{}-{}", stem, copy);
+        files.solution = folder / (name + ".json");
+        files.picture = folder / (name + ".png");
+        bool const solutionIsFree = outputs.isFree(files.solution);
+        if (solutionIsFree && outputs.isFree(files.picture)) {
+            return files;
+        }
+        if (copy == 1) {
+            files.otherName = fmt::format("{} is in use and was not replaced",
+                                          (solutionIsFree ? files.picture : files.solution).string());
+        }
+    }
+}
+
 } // namespace
 
 KeptFiles keepFound(GameData const& data, fs::path const& level, insight::FoundSolution const& found,
-                    std::size_t number, fs::path const& folder) {
+                    std::size_t number, fs::path const& folder, Outputs const& outputs) {
     std::error_code error;
     fs::create_directories(folder, error);
     if (error) {
         throw OutputError(fmt::format("{}: cannot be made: {}", folder.string(), error.message()));
     }
-    KeptFiles files;
-    std::string const stem = fmt::format("{}-found-{}", level.stem().string(), number);
-    files.solution = folder / (stem + ".json");
+    KeptFiles files = namesFor(fmt::format("{}-found-{}", level.stem().string(), number), folder, outputs);
     writeFile(files.solution, writeSolution(insight::keptSolution(found, number)).dump(2) + "\n");
 #ifdef TREMBLER_HEADLESS
+    files.picture.clear();
     files.whyNoPicture = "this build was made without drawing";
     (void)data;
 #else
-    files.picture = folder / (stem + ".png");
     try {
         drawFound(data, level, found, files);
     } catch (std::exception const& problem) { // no OpenGL on this machine: the solution counts

@@ -3,12 +3,14 @@
 #include "game/app/search/found_files.hpp"
 #include "insight/report/report_text.hpp"
 #include "insight/search/recorded.hpp"
+#include "runtime/file/visible_text.hpp"
 #include "runtime/level/write/write_level.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cstdlib>
+#include <iostream>
 #include <span>
 
 namespace trembler {
@@ -91,7 +93,7 @@ SearchedLevel searchLevel(insight::LevelUnderTest const& level, std::filesystem:
 }
 
 LevelSummary summaryOf(SearchedLevel const& searched, insight::LevelUnderTest const& level,
-                       SolveArguments const& arguments, WorkPlace& place) {
+                       SolveArguments const& arguments, Outputs const& outputs, WorkPlace& place) {
     insight::SearchResult const& result = searched.search;
     insight::Workers own(
         {.threads = arguments.work.threads}); // not the team, whose other members do not report
@@ -118,13 +120,19 @@ LevelSummary summaryOf(SearchedLevel const& searched, insight::LevelUnderTest co
             fmt::format("  {}. {} (run {}, {} times{})", i + 1, inWords(found.graph), found.run, found.times,
                         as.empty() ? ", recorded by nobody" : fmt::format(", as '{}'", as));
         if (arguments.keep) {
-            KeptFiles const kept = keepFound(level.data(), searched.file, found, i + 1, *arguments.keep);
+            KeptFiles const kept =
+                keepFound(level.data(), searched.file, found, i + 1, *arguments.keep, outputs);
             one["file"] = kept.solution.string();
             one["picture"] = kept.picture.empty() ? nlohmann::ordered_json()
                                                   : nlohmann::ordered_json(kept.picture.string());
             line += fmt::format("\n     {} {}", kept.solution.string(),
                                 kept.picture.empty() ? "(no picture: " + kept.whyNoPicture + ")"
                                                      : kept.picture.string());
+            if (!kept.otherName.empty()) {
+                place.clearProgress();
+                std::cerr << "trembler: --keep: " << visible(kept.otherName) << "; the solution is in "
+                          << visible(kept.solution.string()) << "\n";
+            }
         }
         all["found"].push_back(std::move(one));
         summary.lines.push_back(std::move(line));

@@ -39,9 +39,11 @@ struct LevelSummary {
     nlohmann::ordered_json json;
     std::vector<std::string> lines; ///< for people, one for each kind of solution
 };
-/// In the leader only. Keeps what was found, if that is asked for. Throws OutputError.
+/// In the leader only. Keeps what was found, if that is asked for, in files that replace none, and none of
+/// `outputs`. Throws OutputError.
 [[nodiscard]] LevelSummary summaryOf(SearchedLevel const& searched, insight::LevelUnderTest const& level,
-                                     SolveArguments const& arguments, WorkPlace& place);
+                                     SolveArguments const& arguments, Outputs const& outputs,
+                                     WorkPlace& place);
 
 /// "117 of 200 runs solve it, the first one run 5; 2 kinds of solutions"
 [[nodiscard]] std::string countsInWords(insight::SearchResult const& result);

@@ -107,7 +107,7 @@ int solveLevels(SolveArguments const& arguments) {
         if (!place.leads()) {
             continue;
         }
-        LevelSummary summary = summaryOf(searched.back(), *levels[i], arguments, place);
+        LevelSummary summary = summaryOf(searched.back(), *levels[i], arguments, outputs, place);
         place.clearProgress();
         if (words && many) {
             outputs.words() << visible(solveLine(searched.back())) << std::endl; // as it comes
@@ -175,7 +175,8 @@ void addSolveCommand(CLI::App& program, int& result) {
     command
         ->add_option_function<std::string>(
             "--keep", [arguments](std::string const& folder) { arguments->keep = folder; },
-            "Write each found solution, for `trembler run --solution`, and a picture of it")
+            "Write each found solution, for `trembler run --solution`, and a picture of it; no file is "
+            "replaced")
         ->type_name("DIR");
     addWorkerOptions(*command, arguments->work);
     addModFolders(*command, arguments->mods);

@@ -119,7 +119,7 @@ Swing magnetOnSpring(GameData const& gameData, int substeps, bool lookAhead, int
 }
 
 Swing floatOnSpring(GameData const& gameData, int substeps, int period, bool lookAhead) {
-    constexpr double g = 9.81;
+    constexpr double g = earthGravity;
     constexpr double width = 3;     // m: so wide that it does not roll
     constexpr double height = 1.2;  // m
     constexpr double draught = 1;   // m

@@ -16,7 +16,7 @@
 namespace trembler::accuracy {
 namespace {
 
-constexpr double g = 9.81; // m/s²
+constexpr double g = earthGravity;
 
 std::unique_ptr<World> emptyWorld(GameData const& gameData, Solver const& solver) {
     WorldOptions options;

@@ -45,10 +45,10 @@ Scene onTheGround(int count) {
     constexpr double radius = 6.371e6;
     Scene scene;
     scene.law = {6.6743e-11, 0.01, 0.35};
-    scene.masses.push_back(9.81 * radius * radius / scene.law.constant);
+    scene.masses.push_back(earthGravity * radius * radius / scene.law.constant);
     scene.places.push_back({0, -radius});
     scene.skipped = 1;
-    scene.linear = {0, -9.81};
+    scene.linear = {0, -earthGravity};
     for (int i = 1; i < count; ++i) {
         scene.masses.push_back(0.1 + i % 7);
         scene.places.push_back({0.37 * (i % 20), 0.5 + (i * 31 % 100) * 0.5});

@@ -28,7 +28,7 @@ struct Hearing {
 Hearing listen(GameData const& gameData, std::string const& level, int bodies, int frames) {
     World world(gameData.registry, {.threads = 1, .detail = {{"sound", level}}, .periods = {}});
     Store& store = world.store();
-    store.column<GravityField>().set(store.create("world"), {{0, -9.81}});
+    store.column<GravityField>().set(store.create("world"), {{0, -earthGravity}});
     auto const put = [&](std::string const& name, ShapePiece piece, Vec2 at, double angle,
                          Material material) {
         ObjectId const id = store.create(name);

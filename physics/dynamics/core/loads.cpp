@@ -72,11 +72,15 @@ bool LoadTable::changedMuch() {
     return much;
 }
 
-void LoadTable::noteSleepers(Engine const& engine) {
+void LoadTable::noteSleepers(Engine const& engine, bool sleeping) {
     std::span<std::uint8_t const> const awake = engine.awake();
     asleep_.resize(awake.size(), 0);
     atRest_.resize(awake.size());
     loads_.resize(awake.size());
+    if (!sleeping && !anyAsleep_) {
+        return;
+    }
+    anyAsleep_ = true;
     for (MovedBody const& moved : engine.moved()) {
         asleep_[moved.slot] = awake[moved.slot] == 0 ? 1 : 0;
         if (asleep_[moved.slot] != 0) {

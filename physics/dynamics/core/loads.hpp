@@ -35,8 +35,9 @@ public:
     /// load does not wake a body, either, if it would need a quarter of an hour to accelerate it to a speed
     /// above rest, however weak all other forces on it are.
     void apply(std::span<Body const> bodies, Engine& engine);
-    /// Records the load under which bodies have fallen asleep. To be called after each step.
-    void noteSleepers(Engine const& engine);
+    /// Records the load under which bodies have fallen asleep. To be called after each step; `sleeping` is
+    /// the setting with which the step was taken.
+    void noteSleepers(Engine const& engine, bool sleeping);
     /// The present sums, by slot, without resistance to motion. The list may end before the last slot.
     [[nodiscard]] std::span<LoadSum const> sums() const { return sums_; }
     /// Whether any force has changed, since the last call that returned true, by more than an eighth of the
@@ -52,6 +53,7 @@ private:
     std::vector<Drag> drags_;  // empty while there is no resistance
     std::vector<Load> atRest_; // under which a body fell asleep
     std::vector<std::uint8_t> asleep_;
+    bool anyAsleep_ = false; // perhaps
 };
 
 } // namespace trembler

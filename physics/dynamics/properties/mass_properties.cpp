@@ -1,6 +1,9 @@
 #include "physics/dynamics/properties/mass_properties.hpp"
 
+#include "physics/depth.hpp"
 #include "physics/dynamics/properties/shape_order.hpp"
+
+#include <algorithm>
 
 namespace trembler {
 namespace {
@@ -78,6 +81,18 @@ MassProperties massPropertiesOf(Shape const& shape) {
 
 Vec2 centreOfMass(Shape const& shape) {
     return massPropertiesOf(shape).centre;
+}
+
+double massFromDensity(Shape const& shape, Density const* density) {
+    double const value = (density == nullptr ? Density{} : *density).value;
+    return std::clamp(value * areaOf(shape) * worldDepth, 1e-6, 1e9);
+}
+
+double densityOf(Shape const& shape, Mass const* mass, Density const* density) {
+    if (mass == nullptr || mass->value == massFromDensity(shape, density)) {
+        return (density == nullptr ? Density{} : *density).value;
+    }
+    return mass->value / (areaOf(shape) * worldDepth);
 }
 
 } // namespace trembler

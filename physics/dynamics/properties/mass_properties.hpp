@@ -1,6 +1,7 @@
-// The distribution of a shape's mass.
+// The mass of a shape, its density and its distribution.
 #pragma once
 
+#include "physics/dynamics/properties/body.hpp"
 #include "physics/dynamics/properties/shape.hpp"
 
 namespace trembler {
@@ -20,5 +21,14 @@ struct MassProperties {
 /// The centre of mass in the object's frame, in m. Position is the origin of that frame; the two coincide for
 /// every shape that is centred on its origin.
 [[nodiscard]] Vec2 centreOfMass(Shape const& shape);
+
+/// The mass in kg of an object of that shape: its density (1000 kg/m³ if null) times its area times the depth
+/// of the world, from 1e-6 to 1e9 kg.
+[[nodiscard]] double massFromDensity(Shape const& shape, Density const* density);
+
+/// The density of an object in kg/m³: its mass divided by its volume, which is its area times the depth of
+/// the world. So a stated mass takes precedence over a stated density and over that of the material. If the
+/// mass follows from the density, or is null, it is that density, to the last bit; without any, 1000 kg/m³.
+[[nodiscard]] double densityOf(Shape const& shape, Mass const* mass, Density const* density);
 
 } // namespace trembler

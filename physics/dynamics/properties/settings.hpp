@@ -10,8 +10,10 @@ struct Hands {
     static constexpr PropertyKind kind = PropertyKind::object;
     static constexpr PropertyText text{
         "Hands", "hands",
-        "How hard each of the player's two hands can pull. A world that does not "
-        "state it has hands that can lift anything.",
+        "How hard each of the player's two hands can pull. A world that does not state it has hands that "
+        "pull "
+        "with up to 490.5 N for each kilogram of what they hold: they lift anything where gravity is weaker "
+        "than 490.5 m/s².",
         PropertyPlace::world};
     double strength = 500;
 

@@ -8,6 +8,9 @@
 
 namespace trembler {
 
+inline constexpr std::size_t maximumPieces = 256; ///< of a shape
+inline constexpr std::size_t maximumCorners = 8;  ///< of a piece
+
 enum class ShapeForm : int { circle, box, polygon, capsule };
 template <>
 inline constexpr std::array<std::string_view, 4> choiceNames<ShapeForm>{"circle", "box", "polygon",
@@ -70,7 +73,9 @@ struct ShapePiece {
                             .meaning = "corners of a convex polygon, anticlockwise",
                             .minimum = -1e3,
                             .maximum = 1e3,
-                            .geometry = FieldGeometry::ownOutline},
+                            .geometry = FieldGeometry::ownOutline,
+                            .least = 3,
+                            .most = maximumCorners},
                   self.corners);
         }
     }
@@ -85,7 +90,12 @@ struct Shape {
 
     template <class Self, class Visitor>
     static void describe(Self& self, Visitor&& visit) {
-        visit(FieldInfo{.key = "value", .unit = "", .meaning = "convex pieces", .required = true},
+        visit(FieldInfo{.key = "value",
+                        .unit = "",
+                        .meaning = "convex pieces",
+                        .required = true,
+                        .least = 1,
+                        .most = maximumPieces},
               self.pieces);
     }
     friend bool operator==(Shape const&, Shape const&) = default;

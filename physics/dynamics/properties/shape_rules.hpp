@@ -8,8 +8,6 @@
 
 namespace trembler {
 
-inline constexpr std::size_t maximumPieces = 256;
-inline constexpr std::size_t maximumCorners = 8;
 inline constexpr double minimumExtent = 0.01; ///< m: the least thickness and length
 
 /// The fault of the shape and the expected condition, in words; nothing if it is valid. Corners must run

@@ -1,9 +1,7 @@
 #include "physics/dynamics/rules/completion.hpp"
 
-#include "physics/depth.hpp"
+#include "physics/dynamics/properties/mass_properties.hpp"
 #include "physics/dynamics/properties/shape_rules.hpp"
-
-#include <algorithm>
 
 namespace trembler {
 
@@ -31,9 +29,7 @@ void BodyCompletion::complete(Access& access) {
     if (access.has<Mass>() || faultIn(shape)) {
         return;
     }
-    Density const* const stated = access.find<Density>();
-    double const density = (stated == nullptr ? Density{} : *stated).value;
-    access.add(Mass{std::clamp(density * areaOf(shape) * worldDepth, 1e-6, 1e9)});
+    access.add(Mass{massFromDensity(shape, access.find<Density>())});
 }
 
 } // namespace trembler

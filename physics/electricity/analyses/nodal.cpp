@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <iterator>
 #include <limits>
+#include <optional>
 
 namespace trembler {
 namespace {
@@ -107,8 +108,13 @@ void NodalElectricity::solve(Circuit const& circuit, NodalColumns const& columns
     for (auto& entry : found.entries) {
         entry.floating = true; // until a network that contains it is solved
     }
-    for (std::string_view const network : circuit.terminalNetworks()) {
-        makeNetlist(circuit, columns, network, netlist_);
+    std::vector<std::string_view> const networks = circuit.terminalNetworks();
+    std::optional<NetworkMembers> members;
+    if (networks.size() > 1) {
+        members.emplace(circuit);
+    }
+    for (std::string_view const network : networks) {
+        makeNetlist(circuit, columns, network, netlist_, members ? &*members : nullptr);
         NodalSolution const& solution = kept_.solve(netlist_, network);
         found.circuit.residual = std::max(found.circuit.residual, solution.residual);
         double const least = std::max(leastCurrent, leastShare * solution.largest);

@@ -142,8 +142,9 @@ std::string spiceNetlist(Store const& store, std::string_view title) {
             sufficientLevel(circuit, nodal, columns.returns).level != ElectricalLevel::nodal) {
             continue;
         }
+        NetworkMembers const members(circuit);
         for (std::string_view const network : circuit.terminalNetworks()) {
-            makeNetlist(circuit, nodal, network, netlist);
+            makeNetlist(circuit, nodal, network, netlist, &members);
             writer.network(netlist, network);
         }
     }

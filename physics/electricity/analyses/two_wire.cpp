@@ -1,7 +1,8 @@
 #include "physics/electricity/analyses/two_wire.hpp"
 
-#include <boost/graph/biconnected_components.hpp>
-#include <boost/graph/compressed_sparse_row_graph.hpp>
+#include "physics/electricity/analyses/blocks.hpp"
+#include "physics/electricity/analyses/two_wire_networks.hpp"
+#include "physics/electricity/core/network_members.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -10,11 +11,7 @@
 namespace trembler {
 namespace {
 
-// Every connection is two directed edges of a compressed graph. For the algorithm this is the same as an
-// undirected graph, whose edges are listed at both ends, too; building it is an order of magnitude cheaper.
 using Vertex = std::uint32_t;
-using BoostGraph = boost::compressed_sparse_row_graph<boost::directedS, boost::no_property,
-                                                      boost::no_property, boost::no_property, Vertex, Vertex>;
 using Terminals = std::span<Circuit::Terminal const>;
 
 constexpr Vertex sourceNode = 0;
@@ -23,9 +20,9 @@ constexpr Vertex firstObject = 2;
 
 // The edges of one network's part of a circuit, with source node, return node and the virtual edge between
 // them, which comes first.
-std::vector<std::pair<Vertex, Vertex>> edgesOf(Circuit const& circuit, Terminals sources, Terminals returns) {
+std::vector<BlockEdge> edgesOf(Circuit const& circuit, Terminals sources, Terminals returns) {
     std::string_view const network = sources.front().network;
-    std::vector<std::pair<Vertex, Vertex>> edges;
+    std::vector<BlockEdge> edges;
     edges.reserve(circuit.neighbours.size() + 2 * (1 + sources.size() + returns.size()));
     edges.emplace_back(sourceNode, returnNode);
     for (Circuit::Terminal const& source : sources) {
@@ -61,12 +58,7 @@ std::vector<std::pair<Vertex, Vertex>> edgesOf(Circuit const& circuit, Terminals
 void markNetwork(Circuit const& circuit, Terminals sources, Terminals returns,
                  std::vector<std::uint8_t>& on) {
     auto const edges = edgesOf(circuit, sources, returns);
-    BoostGraph const graph(boost::edges_are_sorted, edges.begin(), edges.end(), circuit.size() + firstObject);
-    constexpr std::size_t noBlock =
-        std::numeric_limits<std::size_t>::max(); // of the other direction of an edge
-    std::vector<std::size_t> blocks(edges.size(), noBlock);
-    boost::biconnected_components(
-        graph, boost::make_iterator_property_map(blocks.begin(), boost::get(boost::edge_index, graph)));
+    std::vector<std::size_t> const blocks = blocksOf(edges, circuit.size() + firstObject);
     std::size_t const live =
         blocks.front(); // the search starts at vertex 0 with its first edge, the virtual one
     for (std::size_t e = 0; e < edges.size(); ++e) {
@@ -80,26 +72,23 @@ void markNetwork(Circuit const& circuit, Terminals sources, Terminals returns,
     }
 }
 
-// The terminals of one network from a list of all.
-Terminals ofNetwork(std::vector<Circuit::Terminal> const& all, std::string_view network) {
-    auto const before = [](Circuit::Terminal const& t, std::string_view name) { return t.network < name; };
-    auto const after = [](std::string_view name, Circuit::Terminal const& t) { return name < t.network; };
-    auto const from = std::lower_bound(all.begin(), all.end(), network, before);
-    return {from, std::upper_bound(from, all.end(), network, after)};
-}
-
 } // namespace
 
 void markTwoWire(Circuit const& circuit, std::vector<std::uint8_t>& on) {
+    std::vector<std::string_view> networks;
     Terminals rest(circuit.sources);
     while (!rest.empty()) {
         std::string_view const network = rest.front().network;
-        Terminals const sources = ofNetwork(circuit.sources, network);
-        Terminals const returns = ofNetwork(circuit.returns, network);
-        if (!returns.empty()) {
-            markNetwork(circuit, sources, returns, on);
+        if (!terminalsOf(circuit.returns, network).empty()) {
+            networks.push_back(network);
         }
-        rest = rest.subspan(sources.size());
+        rest = rest.subspan(terminalsOf(circuit.sources, network).size());
+    }
+    if (networks.size() == 1) { // as nearly always; the whole circuit costs less than its forest
+        markNetwork(circuit, terminalsOf(circuit.sources, networks.front()),
+                    terminalsOf(circuit.returns, networks.front()), on);
+    } else if (!networks.empty()) {
+        markTwoWireNetworks(circuit, networks, on);
     }
 }
 

@@ -34,31 +34,55 @@ double resistanceOf(NodalColumns const& columns, ObjectId object) {
 }
 
 void makeNetlist(Circuit const& circuit, NodalColumns const& columns, std::string_view network,
-                 Netlist& netlist) {
+                 Netlist& netlist, NetworkMembers const* members) {
     netlist.vertex.clear();
-    for (std::uint32_t v = 0; v < circuit.size(); ++v) {
-        if (circuit.takesPart(v, network)) {
-            netlist.vertex.push_back(v);
+    if (members != nullptr) {
+        for (auto const vertices : {members->plain(), members->own(network)}) {
+            netlist.vertex.insert(netlist.vertex.end(), vertices.begin(), vertices.end());
+        }
+    } else {
+        for (std::uint32_t v = 0; v < circuit.size(); ++v) {
+            if (circuit.takesPart(v, network)) {
+                netlist.vertex.push_back(v);
+            }
         }
     }
     std::sort(netlist.vertex.begin(), netlist.vertex.end(),
               [&](std::uint32_t a, std::uint32_t b) { return circuit.objects[a] < circuit.objects[b]; });
-    std::vector<std::uint32_t> node(circuit.size(), noNode);
+    std::vector<std::uint32_t> node(members == nullptr ? circuit.size() : 0, noNode);
+    auto const nodeOf = [&](std::uint32_t v) {
+        if (members == nullptr) {
+            return node[v];
+        }
+        auto const at = std::lower_bound(netlist.objects.begin(), netlist.objects.end(), circuit.objects[v]);
+        return static_cast<std::uint32_t>(at - netlist.objects.begin());
+    };
     netlist.objects.clear();
     netlist.resistances.clear();
     for (std::uint32_t n = 0; n < netlist.vertex.size(); ++n) {
         ObjectId const object = circuit.objects[netlist.vertex[n]];
-        node[netlist.vertex[n]] = n;
+        if (members == nullptr) {
+            node[netlist.vertex[n]] = n;
+        }
         netlist.objects.push_back(object);
         netlist.resistances.push_back(resistanceOf(columns, object));
     }
     netlist.branches.clear();
     for (std::uint32_t n = 0; n < netlist.vertex.size(); ++n) {
-        for (std::uint32_t const w : circuit.neighboursOf(netlist.vertex[n])) {
-            if (std::uint32_t const m = node[w]; m != noNode && n < m) {
-                netlist.branches.push_back({n, m, Netlist::Kind::connection,
-                                            0.5 * netlist.resistances[n] + 0.5 * netlist.resistances[m], 0});
+        auto const join = [&](std::span<std::uint32_t const> neighbours) {
+            for (std::uint32_t const w : neighbours) {
+                if (std::uint32_t const m = nodeOf(w); m != noNode && n < m) {
+                    netlist.branches.push_back({n, m, Netlist::Kind::connection,
+                                                0.5 * netlist.resistances[n] + 0.5 * netlist.resistances[m],
+                                                0});
+                }
             }
+        };
+        if (members == nullptr) {
+            join(circuit.neighboursOf(netlist.vertex[n]));
+        } else {
+            join(members->plainNeighboursOf(netlist.vertex[n]));
+            join(members->ownNeighboursOf(netlist.vertex[n], network));
         }
     }
     // Neighbours in a row are in order of ids already, but a circuit guarantees no order.
@@ -67,10 +91,8 @@ void makeNetlist(Circuit const& circuit, NodalColumns const& columns, std::strin
     std::uint32_t const earth = netlist.earth();
     auto const terminals = [&](std::vector<Circuit::Terminal> const& all, auto&& add) {
         std::vector<std::uint32_t> nodes;
-        for (Circuit::Terminal const& terminal : all) {
-            if (terminal.network == network) {
-                nodes.push_back(node[terminal.vertex]);
-            }
+        for (Circuit::Terminal const& terminal : terminalsOf(all, network)) {
+            nodes.push_back(nodeOf(terminal.vertex));
         }
         std::sort(nodes.begin(), nodes.end());
         std::for_each(nodes.begin(), nodes.end(), add);

@@ -2,7 +2,7 @@
 // programs.
 #pragma once
 
-#include "physics/electricity/core/circuit.hpp"
+#include "physics/electricity/core/network_members.hpp"
 #include "physics/electricity/properties/ratings.hpp"
 #include "runtime/property/column.hpp"
 
@@ -47,7 +47,9 @@ struct Netlist {
 };
 
 /// The netlist of one network in a circuit. It does not depend on the order in which the circuit was walked.
+/// For circuits of many networks `members` are those of the circuit: then only the network's own vertices and
+/// the plain conductors are looked at, instead of all vertices. The netlist is the same.
 void makeNetlist(Circuit const& circuit, NodalColumns const& columns, std::string_view network,
-                 Netlist& netlist);
+                 Netlist& netlist, NetworkMembers const* members = nullptr);
 
 } // namespace trembler

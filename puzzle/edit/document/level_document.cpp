@@ -1,5 +1,6 @@
 #include "puzzle/edit/document/level_document.hpp"
 
+#include "physics/gravity/properties.hpp"
 #include "puzzle/edit/text/lay_out.hpp"
 #include "runtime/level/json/limits.hpp"
 #include "runtime/level/read/migrations.hpp"
@@ -20,7 +21,8 @@ Json blankTree() {
     return Json{
         {"version", levelVersion},
         {"title", "A new level"},
-        {"world", {{"gravity", Json::array({0, -9.81})}, {"bounds", Json::array({-4, -0.5, 8, 4.5})}}},
+        {"world",
+         {{"gravity", Json::array({0, -earthGravity})}, {"bounds", Json::array({-4, -0.5, 8, 4.5})}}},
         {"objects",
          Json::array({Json{{"name", "floor"},
                            {"at", Json::array({0, -0.15})},

@@ -33,7 +33,7 @@ public:
     }
     void list(FieldInfo const& info, ListField& field) override {
         Json* const stated = find(info);
-        if (stated == nullptr || !stated->is_array() || stated->size() > limits::listInProperty) {
+        if (stated == nullptr || !stated->is_array() || stated->size() > info.most) {
             return;
         }
         field.resize(stated->size());

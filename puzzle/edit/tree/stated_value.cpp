@@ -2,7 +2,6 @@
 
 #include "puzzle/edit/tree/object_values.hpp"
 #include "puzzle/edit/tree/tree_access.hpp"
-#include "runtime/level/json/limits.hpp"
 #include "runtime/level/property/field_outline.hpp"
 #include "runtime/level/property/property_writer.hpp"
 #include "runtime/property/idle_visitor.hpp"
@@ -72,7 +71,7 @@ public:
             return;
         }
         if (inside >= tokens_.size()) {
-            if (field.size() < limits::listInProperty) {
+            if (field.size() < info.most) {
                 field.resize(field.size() + 1);
                 IntoRange range;
                 field.visitElement(field.size() - 1, range);

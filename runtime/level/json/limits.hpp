@@ -23,7 +23,7 @@ inline constexpr std::size_t pieces = 1000;
 inline constexpr std::size_t partDepth = 8;
 /// Bytes of a name.
 inline constexpr std::size_t name = 100;
-/// Of a list inside a property, such as the pieces of a shape.
+/// Of a list inside a property, unless its description states less.
 inline constexpr std::size_t listInProperty = 10'000;
 inline constexpr std::size_t joints = 200'000;
 inline constexpr std::size_t connections = 400'000;

@@ -110,7 +110,7 @@ public:
         if (!node) {
             return;
         }
-        if (!node->isList(fmt::format("a list ({})", info.meaning), limits::listInProperty)) {
+        if (!node->isList(fmt::format("a list ({})", info.meaning), info.most)) {
             good_ = false;
             return;
         }

@@ -1,6 +1,5 @@
 #include "runtime/level/write/property_schema.hpp"
 
-#include "runtime/level/json/limits.hpp"
 #include "runtime/level/property/field_outline.hpp"
 #include "runtime/level/property/property_reader.hpp"
 #include "runtime/level/write/schema_pieces.hpp"
@@ -78,8 +77,12 @@ public:
             field.visitElement(0, visitor);
         });
         field.resize(0);
-        put(info, json_schema::listOf(hasFields ? element.objectSchema() : element.properties["value"],
-                                      limits::listInProperty));
+        Json schema =
+            json_schema::listOf(hasFields ? element.objectSchema() : element.properties["value"], info.most);
+        if (info.least > 0) {
+            schema["minItems"] = info.least;
+        }
+        put(info, std::move(schema));
     }
     /// All fields with any value of the first choice; a field is required if it is required with every value.
     /// visit(v) lets v visit an initial value.

@@ -43,7 +43,7 @@ public:
         give(id, Density{});
         return id;
     }
-    /// A fixed body that damps sound by the density of its material.
+    /// A fixed body, with the mass of objects without a material, by which it damps sound.
     ObjectId fixed(std::string const& name, Material material, ShapePiece piece, Vec2 at, double angle = 0) {
         double const mass = Density{}.value * areaOf(piece) * worldDepth;
         ObjectId const id = surface(name, material, std::move(piece), at, angle);

@@ -10,6 +10,7 @@
 #include <poll.h>
 #include <sstream>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -112,6 +113,39 @@ Ran runProgram(std::vector<std::string> const& arguments, RunAs const& how) {
     ran.status = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
     ran.mostMemory = static_cast<std::size_t>(used.ru_maxrss) * 1024;
     return ran;
+}
+
+bool waitUntil(int process, std::function<bool()> const& condition) {
+    while (!condition()) {
+        ::siginfo_t ended{};
+        if (::waitid(P_PID, static_cast<id_t>(process), &ended, WEXITED | WNOHANG | WNOWAIT) != 0 ||
+            ended.si_pid != 0) {
+            return false;
+        }
+        ::usleep(1000);
+    }
+    return true;
+}
+
+bool writesInto(int process, fs::path const& folder) {
+    fs::path const files = "/proc/" + std::to_string(process) + "/fd";
+    std::error_code gone;
+    for (fs::directory_iterator at(files, gone), end; !gone && at != end; at.increment(gone)) {
+        std::error_code closed;
+        std::string const target = fs::read_symlink(at->path(), closed).string();
+        struct ::stat file {};
+        if (!closed && target.starts_with(folder.string()) && ::stat(at->path().c_str(), &file) == 0 &&
+            S_ISREG(file.st_mode)) {
+            std::string const flags =
+                contentsOf("/proc/" + std::to_string(process) + "/fdinfo/" + at->path().filename().string());
+            std::size_t const octal = flags.find("flags:");
+            if (octal != std::string::npos &&
+                (std::strtoul(flags.c_str() + octal + 6, nullptr, 8) & O_ACCMODE) != O_RDONLY) {
+                return true;
+            }
+        }
+    }
+    return false;
 }
 
 fs::path levelFile(std::string const& name) {

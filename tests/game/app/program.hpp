@@ -31,6 +31,12 @@ struct RunAs {
 /// Runs the program with these arguments and waits for its end.
 [[nodiscard]] Ran runProgram(std::vector<std::string> const& arguments, RunAs const& how = {});
 
+/// For RunAs::meanwhile. Waits until the condition holds or the process has ended, however long that takes on
+/// a busy machine; returns whether the condition held.
+bool waitUntil(int process, std::function<bool()> const& condition);
+/// Whether the process has a file of that folder open for writing, under any name or without one.
+[[nodiscard]] bool writesInto(int process, std::filesystem::path const& folder);
+
 /// A level of the project.
 [[nodiscard]] std::filesystem::path levelFile(std::string const& name);
 [[nodiscard]] std::string contentsOf(std::filesystem::path const& file);

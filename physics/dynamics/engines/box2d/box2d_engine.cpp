@@ -180,8 +180,7 @@ void Box2dEngine::step(double duration, DynamicsSettings const& settings) {
         disturbed_ = true;
     }
     loadWoken();
-    moved_.clear();
-    std::fill(movedMarks_.begin(), movedMarks_.end(), std::uint8_t{0});
+    movedCount_ = 0;
     for (JointEntry& entry : joints_) {
         entry.force = {};
     }
@@ -196,15 +195,10 @@ void Box2dEngine::step(double duration, DynamicsSettings const& settings) {
         takeStep(h, settings, last);
         noteDragged();
         anyAwake_ = false;
-        for (SlotIndex slot = 0; slot < bodies_.size(); ++slot) {
-            prefetchAfter(slot);
-            if (awake_[slot] != 0) {
-                movedMarks_[slot] = 1;
-                noteAwake(slot, last && settings.sleeping);
-            }
-            if (last && movedMarks_[slot] != 0) {
-                noteMoved(slot);
-            }
+        if (last) {
+            noteMotion(settings.sleeping);
+        } else {
+            noteSubstep();
         }
         for (SlotIndex slot = 0; slot < joints_.size(); ++slot) {
             JointEntry& entry = joints_[slot];
@@ -217,10 +211,10 @@ void Box2dEngine::step(double duration, DynamicsSettings const& settings) {
 }
 
 // Box2D has just searched for contacts, so its data of the bodies are no longer in the nearest cache.
-void Box2dEngine::prefetchAfter(SlotIndex slot) const {
+void Box2dEngine::prefetchAfter(SlotIndex slot, BodyEntry const* entries, SlotIndex count) {
     constexpr SlotIndex ahead = 8;
-    if (slot + ahead < bodies_.size() && bodies_[slot + ahead].body != nullptr) {
-        auto const* const body = reinterpret_cast<char const*>(bodies_[slot + ahead].body);
+    if (slot + ahead < count && entries[slot + ahead].body != nullptr) {
+        auto const* const body = reinterpret_cast<char const*>(entries[slot + ahead].body);
         __builtin_prefetch(body);
         __builtin_prefetch(body + 64);
     }
@@ -238,12 +232,42 @@ void Box2dEngine::noteAwake(SlotIndex slot, bool mayFallAsleep) {
     }
 }
 
-void Box2dEngine::noteMoved(SlotIndex slot) {
-    b2Body const& body = *bodies_[slot].body;
-    moved_.push_back(
-        {slot,
-         {fromEngine(body.GetPosition()), static_cast<double>(body.GetAngle()),
-          fromEngine(body.GetLinearVelocity()), static_cast<double>(body.GetAngularVelocity())}});
+void Box2dEngine::noteSubstep() {
+    auto const count = static_cast<SlotIndex>(bodies_.size());
+    for (SlotIndex slot = 0; slot < count; ++slot) {
+        prefetchAfter(slot, bodies_.data(), count);
+        if (awake_[slot] != 0) {
+            movedMarks_[slot] = 1;
+            noteAwake(slot, false);
+        }
+    }
+}
+
+// The pointers are local, because the compiler must assume that a mark of one byte changes any member.
+void Box2dEngine::noteMotion(bool sleeping) {
+    moved_.resize(std::max(moved_.size(), bodies_.size()));
+    MovedBody* next = moved_.data();
+    BodyEntry const* const entries = bodies_.data();
+    std::uint8_t const* const awake = awake_.data();
+    std::uint8_t* const marks = movedMarks_.data();
+    auto const count = static_cast<SlotIndex>(bodies_.size());
+    for (SlotIndex slot = 0; slot < count; ++slot) {
+        prefetchAfter(slot, entries, count);
+        bool const was = awake[slot] != 0;
+        if (!was && marks[slot] == 0) {
+            continue;
+        }
+        marks[slot] = 0;
+        if (was) {
+            noteAwake(slot, sleeping);
+        }
+        b2Body const& body = *entries[slot].body;
+        next->slot = slot;
+        next->motion = {fromEngine(body.GetPosition()), static_cast<double>(body.GetAngle()),
+                        fromEngine(body.GetLinearVelocity()), static_cast<double>(body.GetAngularVelocity())};
+        ++next;
+    }
+    movedCount_ = static_cast<std::size_t>(next - moved_.data());
 }
 
 std::vector<SlotIndex> Box2dEngine::lost() const {

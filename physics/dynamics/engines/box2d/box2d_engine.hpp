@@ -36,7 +36,9 @@ public:
     bool solveJointsAtOnce(bool wanted) override;
     void findTouchesAtEnd(bool wanted) override { touchesAtEnd_ = wanted; }
     void step(double duration, DynamicsSettings const& settings) override;
-    [[nodiscard]] std::span<MovedBody const> moved() const override { return moved_; }
+    [[nodiscard]] std::span<MovedBody const> moved() const override {
+        return std::span(moved_).first(movedCount_);
+    }
     [[nodiscard]] std::vector<TouchChange>& touchChanges() override { return touches_; }
     void addContactPatches(std::vector<ContactPatch>& patches) const override;
     void noteImpacts(bool wanted) override;
@@ -141,10 +143,13 @@ private:
     void noteDragged();
     void applyJoints(float substep);
     [[nodiscard]] Twist momentumOf(b2Body const& body) const;
-    void prefetchAfter(SlotIndex slot) const;
+    static void prefetchAfter(SlotIndex slot, BodyEntry const* entries, SlotIndex count);
     /// `mayFallAsleep`: Box2D may put it to sleep after this substep.
     void noteAwake(SlotIndex slot, bool mayFallAsleep);
-    void noteMoved(SlotIndex slot);
+    /// After a substep: marks the bodies that moved.
+    void noteSubstep();
+    /// After the last one: the list of all bodies that were awake in any.
+    void noteMotion(bool sleeping);
     [[nodiscard]] bool drifts(BodyEntry const& entry) const;
     /// The speed that its load gives a body within one substep, in engine units.
     [[nodiscard]] float speedGain(b2Body const* body) const;
@@ -172,9 +177,10 @@ private:
     bool coldStart_ = false;               // Box2D's joint impulses of the last step must not be used
     float substep_ = 0;                    // s
     bool anyAwake_ = false;
-    bool disturbed_ = false; // Box2D may have woken bodies that awake_ does not include
-    std::vector<MovedBody> moved_;
-    std::vector<std::uint8_t> movedMarks_;
+    bool disturbed_ = false;       // Box2D may have woken bodies that awake_ does not include
+    std::vector<MovedBody> moved_; // more than there are, to reuse their memory
+    std::size_t movedCount_ = 0;
+    std::vector<std::uint8_t> movedMarks_; // by slot: was awake in an earlier substep of this step
     std::vector<TouchChange> touches_;
     std::vector<b2Body*> wakeStack_;
     int added_ = 0;            // bodies since Box2D last searched for new contacts

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <optional>
+
 namespace trembler {
 namespace {
 
@@ -64,6 +66,7 @@ TEST(Loudness, OfManySoundsAtManyEarsIsThatOfEachEarAlone) {
     }
     Column<SoundSensor> const sensors;
     Column<Shape> const shapes;
+    Column<Mass> const masses;
     Column<Density> const densities;
     Column<Rotation> const rotations;
     auto const heardAt = [&](std::uint32_t first, std::uint32_t end) {
@@ -75,7 +78,7 @@ TEST(Loudness, OfManySoundsAtManyEarsIsThatOfEachEarAlone) {
                 positions.set({sources + i, 0}, {{0.7 * i, 3}});
             }
         }
-        return loudnessOf(sounds, {listening, sensors, shapes, densities, positions, rotations},
+        return loudnessOf(sounds, {listening, sensors, shapes, masses, densities, positions, rotations},
                           PathDetail::straight, [](std::size_t count, auto const& f) { f(0, count); });
     };
     auto const together = heardAt(0, ears);
@@ -118,6 +121,45 @@ double behindWalls(std::string const& detail, bool wall, bool roof) {
     }
     room.run(120);
     return room.levelAt(ear);
+}
+
+/// The level behind a wall without a gap, through which all of the sound passes.
+double throughWall(std::optional<Material> material, std::optional<double> density,
+                   std::optional<double> mass) {
+    WorldOptions options;
+    options.detail = {{"loudness", "around"}};
+    ListeningRoom room(options);
+    addSiren(room, {0, 1}, 90);
+    ObjectId const ear = room.ear("ear", {4, 1});
+    ObjectId const wall = room.world->store().create("wall");
+    room.give(wall, Shape{{boxPiece(0.02, 4000)}});
+    room.give(wall, Position{{2, 1}});
+    room.give(wall, Rotation{});
+    room.give(wall, Fixed{});
+    if (material) {
+        room.give(wall, MadeOf{*material});
+    }
+    if (density) {
+        room.give(wall, Density{*density});
+    }
+    if (mass) {
+        room.give(wall, Mass{*mass});
+    }
+    room.run(120);
+    return room.levelAt(ear);
+}
+
+// The mass law: what a wall lets through depends on its mass alone, wherever that comes from.
+TEST(Loudness, AWallMutesByItsOwnMassHoweverThatIsStated) {
+    constexpr double volume = 0.02 * 4000 * 0.1; // m³: the world is 0.1 m deep
+    double const brick = throughWall(Material::brick, {}, {});
+    EXPECT_NEAR(throughWall({}, 1900, {}), brick, 1e-9);
+    EXPECT_NEAR(throughWall({}, {}, 1900 * volume), brick, 1e-9);
+    EXPECT_NEAR(throughWall(Material::wood, {}, 1900 * volume), brick, 1e-9) << "a stated mass comes first";
+    EXPECT_NEAR(throughWall(Material::wood, 20, 1900 * volume), brick, 1e-9);
+    // Twice the mass lets a quarter of the energy through: 6 dB.
+    EXPECT_NEAR(throughWall({}, {}, 3800 * volume), brick - 6.02, 0.1);
+    EXPECT_NEAR(throughWall({}, {}, {}), throughWall({}, 1000, {}), 1e-9) << "as its mass for gravity";
 }
 
 TEST(Loudness, AWallInBetweenMutesAndAGapLetsSoundAround) {

@@ -4,9 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include <chrono>
 #include <csignal>
-#include <thread>
 
 namespace trembler::test {
 namespace {
@@ -163,36 +161,16 @@ TEST_F(Outputs, ReplaceTheOldFileAndKeepItsPermissionsAndLinks) {
     EXPECT_EQ(names(), (std::vector<std::string>{"level.json", "link", "old"}));
 }
 
-/// Kills the program as soon as it has opened a file of the folder for writing.
-void endWhenItWrites(int process, fs::path const& folder, int signal) {
-    fs::path const files = "/proc/" + std::to_string(process) + "/fd";
-    for (int tries = 0; tries < 60'000; ++tries) {
-        std::error_code gone;
-        for (fs::directory_iterator at(files, gone), end; !gone && at != end; at.increment(gone)) {
-            std::error_code closed;
-            std::string const target = fs::read_symlink(at->path(), closed).string();
-            if (!closed && target.starts_with(folder.string()) && !target.ends_with("level.json")) {
-                std::this_thread::sleep_for(std::chrono::milliseconds(50)); // into the run
-                ::kill(process, signal);
-                return;
-            }
-        }
-        if (gone) {
-            return; // it has ended by itself
-        }
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
-    ::kill(process, SIGKILL);
-}
-
 TEST_F(Outputs, OfAnInterruptedRunLeaveTheOldFiles) {
     std::string const input = level();
     write(at("old"), "precious");
     auto const before = names();
     for (int const signal : {SIGINT, SIGTERM, SIGKILL}) {
-        Ran const ran =
-            runProgram({"run", input, "--frames", "10000000", "--record", at("old")},
-                       {.meanwhile = [&](int process) { endWhenItWrites(process, folder, signal); }});
+        Ran const ran = runProgram(
+            {"run", input, "--frames", "10000000", "--record", at("old")}, {.meanwhile = [&](int process) {
+                EXPECT_TRUE(waitUntil(process, [&] { return writesInto(process, folder); }));
+                ::kill(process, signal);
+            }});
         EXPECT_EQ(ran.status, -1) << ran.err;
         EXPECT_EQ(contentsOf(at("old")), "precious");
         EXPECT_EQ(names(), before);

@@ -5,8 +5,8 @@
 
 #include <csignal>
 #include <filesystem>
+#include <set>
 #include <system_error>
-#include <unistd.h>
 
 namespace trembler::test {
 namespace {
@@ -29,16 +29,17 @@ protected:
         }
         return all;
     }
-    /// Until the first finished run is in the journal; a minute at most, for a program that ended without
-    /// one.
-    static void waitUntilBegun(std::string const& journal) {
-        std::error_code none;
-        for (int i = 0; i < 6000; ++i) {
-            if (std::filesystem::file_size(journal, none) > 0 && !none) {
-                return;
-            }
-            ::usleep(10'000);
-        }
+    /// Stops the program when the first finished run is in the journal.
+    [[nodiscard]] RunAs stoppedInTheMiddle(std::string const& journal) const {
+        RunAs how;
+        how.meanwhile = [journal](int process) {
+            waitUntil(process, [&] {
+                std::error_code none;
+                return std::filesystem::file_size(journal, none) > 0 && !none;
+            });
+            ::kill(process, SIGINT);
+        };
+        return how;
     }
     std::string const good = levelFile("first/1-first-contact.json").string();
 };
@@ -59,6 +60,43 @@ TEST_F(SolveCommand, FindsSolutionsThatRun) {
     }
 }
 
+TEST_F(SolveCommand, ReplacesNoFileWithWhatItKeeps) {
+    std::filesystem::create_directories(at("kept"));
+    std::string const level = at("kept/a.json");
+    std::filesystem::copy_file(good, level);
+    write(at("kept/a-found-1.png"), "mine");
+    std::string const report = at("kept/a-found-1-2.json"); // written at the end, but promised before
+    Ran const ran = runProgram(
+        {"solve", level, "--runs", "80", "--frames", "600", "--keep", at("kept"), "--json", report});
+    ASSERT_EQ(ran.status, 0) << ran.err;
+    EXPECT_EQ(contentsOf(at("kept/a-found-1.png")), "mine");
+    EXPECT_EQ(contentsOf(level), contentsOf(good));
+    EXPECT_NE(ran.err.find("a-found-1.png is in use"), std::string::npos) << ran.err;
+    json const all = json::parse(contentsOf(report));
+    ASSERT_FALSE(all["found"].empty());
+    EXPECT_EQ(all["found"][0]["file"], at("kept/a-found-1-3.json"));
+    EXPECT_EQ(runProgram({"run", level, "--solution", at("kept/a-found-1-3.json")}).status, 0);
+    // A level that has the name of what would be kept, and two levels of one name.
+    std::filesystem::create_directories(at("other"));
+    std::filesystem::copy_file(good, at("other/a.json"));
+    std::filesystem::copy_file(good, at("other/a-found-1.json"));
+    Ran const both = runProgram({"solve", level, at("other"), "--runs", "80", "--frames", "600", "--keep",
+                                 at("other"), "--json", at("both.json")});
+    ASSERT_LE(both.status, 1) << both.err;
+    EXPECT_EQ(contentsOf(at("other/a-found-1.json")), contentsOf(good));
+    std::set<std::string> files;
+    std::size_t found = 0;
+    json const levels = json::parse(contentsOf(at("both.json")))["levels"];
+    for (json const& one : levels) {
+        for (json const& solution : one["found"]) {
+            files.insert(solution["file"].get<std::string>());
+            ++found;
+        }
+    }
+    EXPECT_GE(found, 3U);
+    EXPECT_EQ(files.size(), found) << "each has a file of its own";
+}
+
 TEST_F(SolveCommand, FindsTheSameAgainAndGoesOnFromAJournal) {
     Ran const one = runProgram(solve({"--json", "--threads", "1"}));
     ASSERT_EQ(one.status, 0) << one.err;
@@ -73,14 +111,9 @@ TEST_F(SolveCommand, FindsTheSameAgainAndGoesOnFromAJournal) {
 }
 
 TEST_F(SolveCommand, EndsWithWhatItHasWhenItIsInterrupted) {
-    RunAs how;
-    how.meanwhile = [this](int process) {
-        waitUntilBegun(at("journal.jsonl"));
-        ::kill(process, SIGINT);
-    };
     Ran const ran = runProgram(
         {"solve", good, "--runs", "100000000", "--frames", "600", "--json", "--resume", at("journal.jsonl")},
-        how);
+        stoppedInTheMiddle(at("journal.jsonl")));
     EXPECT_GE(ran.status, 0) << "it ended by itself";
     EXPECT_EQ(json::parse(ran.out)["complete"], false);
 }
@@ -134,12 +167,7 @@ TEST_F(SolveCommand, GoesOnWithManyLevelsFromAJournal) {
     std::filesystem::copy_file(levelFile("first/3-pass-it-on.json"), at("pack/b.json"));
     std::vector<std::string> const many{"solve", at("pack"),  "--runs", "40",       "--frames",
                                         "300",   "--compare", "--json", "--resume", at("j.jsonl")};
-    RunAs how;
-    how.meanwhile = [this](int process) { // in the middle of the first level, or later
-        waitUntilBegun(at("j.jsonl"));
-        ::kill(process, SIGINT);
-    };
-    Ran const stopped = runProgram(many, how);
+    Ran const stopped = runProgram(many, stoppedInTheMiddle(at("j.jsonl"))); // of any level, or at the end
     EXPECT_GE(stopped.status, 0) << "it ended by itself";
     Ran const gone = runProgram(many);
     ASSERT_LE(gone.status, 1) << gone.err;

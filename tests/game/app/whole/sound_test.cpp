@@ -1,9 +1,7 @@
 // `trembler run --sound` as a process; skipped if the program has no sound, after testing its message.
 #include "tests/game/app/program.hpp"
 
-#include <chrono>
 #include <csignal>
-#include <thread>
 
 namespace trembler::test {
 namespace {
@@ -45,7 +43,7 @@ TEST_F(Sound, OfAnInterruptedRunLeavesTheOldFile) {
     std::string const before = contentsOf(at("heard.wav"));
     for (int const signal : {SIGTERM, SIGKILL}) {
         Ran const ran = run({"--frames", "10000000"}, [&](int process) {
-            std::this_thread::sleep_for(std::chrono::milliseconds(300));
+            EXPECT_TRUE(waitUntil(process, [&] { return writesInto(process, folder); }));
             ::kill(process, signal);
         });
         EXPECT_EQ(ran.status, -1) << ran.err;

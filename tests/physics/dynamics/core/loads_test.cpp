@@ -27,7 +27,7 @@ public:
         engine_.isAwake = {0};
         engine_.hasMoved = {{0, {}}};
         apply({0, -20}, {0, 0}, 3);
-        loads_.noteSleepers(engine_);
+        loads_.noteSleepers(engine_, true);
         engine_.woken.clear();
     }
     /// Whether it is woken by these sums of two forces and a torque.
@@ -137,7 +137,7 @@ TEST(LoadTable, AwakeBodiesAreNotWokenAndSleepingOnesKeepTheLoadOfFallingAsleep)
         loads.clear(1);
         loads.add(0, {force, 0}, 0);
         loads.apply(bodies, engine);
-        loads.noteSleepers(engine);
+        loads.noteSleepers(engine, true);
         return !engine.woken.empty();
     };
     EXPECT_FALSE(apply(5));

@@ -2,6 +2,7 @@
 #include "physics/dynamics/interactions/from_player.hpp"
 #include "tests/physics/dynamics/scene.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 namespace trembler::test {
@@ -71,6 +72,29 @@ TEST_P(Hand, HangsHigherOnTheMoonAndIsAsStrongAsOnEarth) {
     scene.world->feed(input(PlayerInput::Kind::move, box, {0, 1e5}));
     scene.run(4);
     EXPECT_NEAR(scene.velocity(box).y, (DynamicsFromPlayer::strongest - 1.62) * 3 * frameDuration, 1);
+}
+
+// The words of the property Hands: a hand without a stated strength pulls with 490.5 N per kilogram.
+TEST_P(Hand, LiftsAnythingWhereGravityIsWeakerThanItsStrengthAndNothingWhereItIsStronger) {
+    EXPECT_NE(
+        propertyInfo<Hands>().text.meaning.find(fmt::format("up to {} N", DynamicsFromPlayer::strongest)),
+        std::string_view::npos);
+    for (double const mass : {0.1, 1000.0}) {
+        for (double const gravity : {480.0, 500.0}) {
+            Scene scene;
+            scene.gravity = gravity;
+            ObjectId const box = scene.body("box", boxPiece(0.4, 0.4), {0, 0});
+            scene.give(box, Mass{mass});
+            scene.run(1);
+            scene.world->feed(input(PlayerInput::Kind::grab, box, scene.at(box)));
+            scene.world->feed(input(PlayerInput::Kind::move, box, {0, 1e5}));
+            scene.run(5);
+            double const begin = scene.velocity(box).y;
+            scene.run(10);
+            double const gained = (gravity < 490 ? 1 : -1) * (scene.velocity(box).y - begin);
+            EXPECT_GT(gained, 0.9 * 9.5 * 10 * frameDuration) << mass << " kg at " << gravity << " m/s²";
+        }
+    }
 }
 
 TEST_P(Hand, HasALimitedForce) {

@@ -142,6 +142,29 @@ TEST(MarkSingleCable, AnObjectOfAnotherNetworkIsNoWayThrough) {
     EXPECT_EQ(onIn(objects), (std::set<std::uint32_t>{0, 1, 2}));
 }
 
+TEST(MarkSingleCable, NetworksReachOnlyTheirOwnObjectsThroughSharedConductors) {
+    WiredObjects objects;
+    for (std::uint32_t v : {0U, 1U, 2U, 7U}) {
+        objects.conductor(v); // a shared cable 0-1-2, and 7 elsewhere
+    }
+    objects.conductor(3U, "a");
+    objects.conductor(4U, "b");
+    objects.conductor(5U, "a");
+    objects.conductor(6U, "c");
+    objects.sources.set({3, 0}, {"a"});
+    objects.sources.set({4, 0}, {"b"});
+    objects.connect({0, 0}, {1, 0});
+    objects.connect({1, 0}, {2, 0});
+    objects.connect({3, 0}, {0, 0});
+    objects.connect({5, 0}, {2, 0});
+    objects.connect({5, 0}, {7, 0});
+    objects.connect({6, 0}, {2, 0});
+    objects.connect({4, 0}, {7, 0});
+    EXPECT_EQ(onIn(objects), (std::set<std::uint32_t>{0, 1, 2, 3, 4, 5, 7})) << "not 6, of a third network";
+    objects.sources.set({3, 0}, {"c"}); // a device of "a" is no source of "c"
+    EXPECT_EQ(onIn(objects), (std::set<std::uint32_t>{4, 7})) << "5 is no way through for \"b\"";
+}
+
 TEST(MarkSingleCable, AHundredThousandObjectsInARowNeedNoRecursion) {
     WiredObjects objects;
     constexpr std::uint32_t count = 100'000;

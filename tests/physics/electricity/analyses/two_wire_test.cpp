@@ -5,8 +5,10 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include <algorithm>
 #include <set>
 #include <string>
+#include <vector>
 
 namespace trembler::test {
 namespace two_wire_test {
@@ -87,6 +89,56 @@ TEST(MarkTwoWire, MarksTheObjectsOnPathsFromSourceToReturn) {
             }
         }
         RC_CLASSIFY(any, "something is on");
+    }));
+}
+
+// Networks that share plain conductors: many of these, so that their blocks and dead ends have all forms.
+TEST(MarkTwoWire, MarksThePathsOfAllNetworksThatShareConductors) {
+    EXPECT_TRUE(rc::check("the same as trying every way in each network", [] {
+        auto const below = [](std::uint32_t bound) {
+            return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(0U, bound));
+        };
+        std::vector<std::string> const names{"a", "b", "c", ""};
+        WiredObjects objects;
+        std::uint32_t const count = 3 + below(8);
+        std::uint32_t const plainShare = 1 + below(4); // of 5
+        for (std::uint32_t v = 0; v < count; ++v) {
+            bool const plain = below(5) < plainShare;
+            ObjectId const id = objects.conductor(v, plain ? "" : names[below(3)]);
+            if (below(3) == 0) {
+                objects.sources.set(id, {names[below(4)]});
+            }
+            if (below(3) == 0) {
+                objects.returns.set(id, {names[below(4)]});
+            }
+        }
+        for (std::uint32_t i = below(2 * count); i > 0; --i) {
+            ObjectId const a{below(count), 0};
+            ObjectId const b{below(count), 0};
+            if (a != b) {
+                objects.connect(a, b);
+            }
+        }
+        std::size_t networksOn = 0;
+        for (std::uint32_t seed = 0; seed < count; ++seed) {
+            Circuit const circuit = objects.circuitOf({seed, 0});
+            std::vector<bool> expected(circuit.size(), false);
+            std::size_t withCurrent = 0;
+            for (std::string const& name : names) {
+                EveryWay const ways(circuit, name);
+                withCurrent += std::find(ways.marked.begin(), ways.marked.end(), true) != ways.marked.end();
+                for (std::uint32_t v = 0; v < circuit.size(); ++v) {
+                    expected[v] = expected[v] || ways.marked[v];
+                }
+            }
+            networksOn = std::max(networksOn, withCurrent);
+            std::vector<std::uint8_t> on(circuit.size(), 0);
+            markTwoWire(circuit, on);
+            for (std::uint32_t v = 0; v < circuit.size(); ++v) {
+                RC_ASSERT((on[v] != 0) == expected[v]);
+            }
+        }
+        RC_CLASSIFY(networksOn > 1, "several networks have current in one circuit");
     }));
 }
 
