@@ -3,7 +3,6 @@
 #include "physics/dynamics/core/point_pull.hpp"
 #include "physics/dynamics/properties/mass_properties.hpp"
 
-#include <algorithm>
 #include <numbers>
 
 namespace trembler {
@@ -40,15 +39,13 @@ void DynamicsFromPlayer::pull(Access& access, Hand const& hand, bool both) {
     Vec2 const wanted = criticallyDamped(frequency, hand.target - point, pointVelocity);
     double const gyration = spread.inertiaPerMass;
     Vec2 force = forceToAccelerate(wanted, arm, mass->value, gyration);
-    double limit = strongest * mass->value;
-    if (auto const& hands = access.read<Hands>(); !hands.empty()) {
-        limit = std::min(limit, hands.values().front().strength);
-    }
-    if (limit <= 0) {
+    auto const& hands = access.read<Hands>();
+    double const strength = hands.empty() ? Hands{}.strength : hands.values().front().strength;
+    if (strength <= 0) {
         return; // no hand: it must not slow down rotation either
     }
-    if (double const size = length(force); size > limit) {
-        force *= limit / size;
+    if (double const size = length(force); size > strength) {
+        force *= strength / size;
     }
     access.call(AddForceToPoint{held, point, force}, hand.event);
     // Two springs on one body are as stiff as one whose frequency is √2 times theirs.

@@ -26,11 +26,7 @@ public:
                 "rotation."};
     using Activation = NeedsAll<Shape>;
 
-    static constexpr double frequency = 12; ///< rad/s, of the spring
-    /// m/s². The greatest acceleration that a hand gives an object, light or heavy, independent of the
-    /// world's gravity. So in a world that states no strength a hand can hold up any object if gravity is
-    /// weaker, as nearly everywhere. The description of Hands states the number as well.
-    static constexpr double strongest = 490.5;
+    static constexpr double frequency = 12;  ///< rad/s, of the spring
     static constexpr double turnDamping = 2; ///< 1/s
 
     void apply(Access& access);

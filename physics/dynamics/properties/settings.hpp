@@ -5,17 +5,16 @@
 
 namespace trembler {
 
-/// How strong the player's hands are.
+/// How strong the player's hands are, whatever they hold: a hand pulls a heavy object no harder than a light
+/// one. A world that states nothing has hands of the strength that is the default here.
 struct Hands {
     static constexpr PropertyKind kind = PropertyKind::object;
     static constexpr PropertyText text{
         "Hands", "hands",
-        "How hard each of the player's two hands can pull. A world that does not state it has hands that "
-        "pull "
-        "with up to 490.5 N for each kilogram of what they hold: they lift anything where gravity is weaker "
-        "than 490.5 m/s².",
+        "How hard each of the player's two hands can pull. A world that does not "
+        "state it has hands of 3000 N, which lift 306 kg on Earth.",
         PropertyPlace::world};
-    double strength = 500;
+    double strength = 3000; ///< N; lifts each single part of the game on Earth, the heaviest has 221 kg
 
     template <class Self, class Visitor>
     static void describe(Self& self, Visitor&& visit) {

@@ -54,7 +54,7 @@ local function massProperties(pieces)
 end
 
 local frequency = 12 -- rad/s, of the spring
-local strongest = 490.5 -- m/s^2
+local usualStrength = 3000 -- N, of hands in a world that states none
 local turnDamping = 2 -- 1/s
 
 local function quarter(v)
@@ -76,15 +76,12 @@ local function pull(world, hand, both, out)
   local wanted = frequency * frequency * (hand.target - point) - 2 * frequency * pointVelocity
   local across = quarter(arm)
   local force = mass * (wanted - across:dot(wanted) / (gyration + arm:dot(arm)) * across)
-  local limit, size = strongest * mass, force:length()
-  if world.hands then
-    limit = math.min(limit, world.hands.strength)
-  end
-  if limit <= 0 then
+  local strength, size = world.hands and world.hands.strength or usualStrength, force:length()
+  if strength <= 0 then
     return
   end
-  if size > limit then
-    force = force * (limit / size)
+  if size > strength then
+    force = force * (strength / size)
   end
   out.addForceToPoint(held, point, force)
   out.tellRate(held, both and math.sqrt(2) * frequency or frequency)
