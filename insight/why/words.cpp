@@ -79,7 +79,7 @@ private:
             next = further;
         }
         if (repeated > 0) {
-            text += " " + tongue_.fill("(and so on, {} times)", {std::to_string(repeated)});
+            text += " " + language_.fill("(and so on, {} times)", {std::to_string(repeated)});
         }
         sentences_.push_back(text + ".");
         std::sort(next.rbegin(), next.rend());
@@ -192,7 +192,7 @@ std::string sentenceOf(Miss const& miss, Extreme extreme, std::string const& whe
         Said const ways{language.number(miss.by, 0)};
         return (one ? language.mix("current still flowed through {}: one connection held it", {first})
                     : language.mix("current still flowed through {}: at least {} connections held it",
-                                 {first, ways})) +
+                                   {first, ways})) +
                when;
     }
     case Lack::time:

@@ -74,9 +74,9 @@ void drawBadge(std::size_t count) {
 void drawTabs(EditParts& parts, CommandSet const& commands) {
     CommandButtons const buttons(parts.context.layout, parts.context.keys, commands);
     float const gap = 3;
-    auto const count = static_cast<float>(tabRows().size());
+    auto const count = static_cast<float>(tabRows.size());
     float const width = (ImGui::GetContentRegionAvail().x / theme().scale - (count - 1) * gap) / count;
-    for (TabRow const& row : tabRows()) {
+    for (TabRow const& row : tabRows) {
         if (row.tab != Tab::parts) {
             ImGui::SameLine(0, scaled(gap));
         }
