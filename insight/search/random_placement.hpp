@@ -17,7 +17,8 @@ namespace trembler::insight {
 
 /// A part whose centre is in a random place, in addition to what the solution places: evenly distributed over
 /// the areas for placing, upright or turned by a random multiple of 15 degrees, so that it overlaps nothing;
-/// it may stick out of the areas. Nothing if 64 places were tried without success, or the toolbox has none left.
+/// it may stick out of the areas. Nothing if 64 places were tried without success, or the toolbox has none
+/// left.
 [[nodiscard]] std::optional<Placement> droppedAtRandom(LevelUnderTest const& level, Solution const& others,
                                                        std::string const& part, CounterRandom& random);
 /// The same where a player can place it: wholly in the areas.
