@@ -53,8 +53,8 @@ TEST_F(InstrumentParts, AMetronomeTicksTwiceInThePeriodOfItsPendulum) {
     MassProperties const body = massPropertiesOf(*world().find<Shape>(id("metronome pendulum")));
     double const amplitude = angle("metronome pendulum");
     runTo(10);
-    std::vector<std::uint64_t> all = hits("metronome pendulum", "metronome language", 3600);
-    std::vector<std::uint64_t> ticks; // the language may touch the pin twice as it is flicked
+    std::vector<std::uint64_t> all = hits("metronome pendulum", "metronome tongue", 3600);
+    std::vector<std::uint64_t> ticks; // the tongue may touch the pin twice as it is flicked
     for (std::uint64_t const frame : all) {
         if (ticks.empty() || frame > ticks.back() + 12) {
             ticks.push_back(frame);

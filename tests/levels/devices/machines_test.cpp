@@ -70,7 +70,7 @@ TEST_F(MachineParts, ABuzzerRattlesSeveralTimesASecond) {
     wire("buzzer right", "minus");
     start();
     runTo(60);
-    double const rate = static_cast<double>(hits("buzzer language", "buzzer coil", 660).size()) / 10;
+    double const rate = static_cast<double>(hits("buzzer tongue", "buzzer coil", 660).size()) / 10;
     EXPECT_GT(rate, 5);
     EXPECT_LT(rate, 20);
 }
