@@ -5,6 +5,7 @@
 #include "runtime/level/json/json_document.hpp"
 #include "runtime/level/read/read_level.hpp"
 #include "tests/insight/support/explained_miss.hpp"
+#include "tests/support/game_data.hpp"
 
 #include <gtest/gtest.h>
 
@@ -18,7 +19,7 @@ LevelFile levelWith(std::string const& goals, std::string const& more = "") {
   "objects": [{"name": "ball", "at": [0.5, 0.2], "properties":
                  {"shape": [{"form": "circle", "radius": 0.1}], "density": 1000}}])" +
                              more + R"(, "goals": )" + goals + "}";
-    return readLevel(testedData().registry, JsonDocument::parse(text, "negated.json"));
+    return readLevel(gameData().registry, JsonDocument::parse(text, "negated.json"));
 }
 
 TEST(NegatedMiss, OfAnAreaIsTheWayOut) {
@@ -63,13 +64,13 @@ LevelFile lampWith(int wiresToSource, int wiresToReturn) {
     std::string const text = R"({"version": 2, "title": "Off", "world": {"bounds": [-10, -10, 20, 20]},
       "objects": [)" + objects +
                              R"(], "connections": [)" + wires + R"(], "goals": {"off": "lamp", "for": 1}})";
-    return readLevel(testedData().registry, JsonDocument::parse(text, "off.json"));
+    return readLevel(gameData().registry, JsonDocument::parse(text, "off.json"));
 }
 
 TEST(NegatedMiss, OfACurrentIsTheNumberOfConnectionsThatHoldIt) {
     for (auto const& [source, back, ways] : {std::tuple(1, 1, 1), {1, 3, 1}, {3, 2, 2}, {3, 3, 3}}) {
         LevelFile const level = lampWith(source, back);
-        auto const world = buildWorld(testedData().registry, level, testedData().parts);
+        auto const world = buildWorld(gameData().registry, level, gameData().parts);
         world->step();
         EXPECT_EQ(waysOfCurrent(*world, world->store().find("lamp")), ways);
         Miss const miss = explainedMiss(level, 4);

@@ -61,7 +61,7 @@ TEST(LevelReport, SaysWhatTheSolutionsOfTheFirstLevelNeed) {
 
 // What a demonstration does by itself is no solution of its task, and nothing that falls short.
 TEST(LevelReport, TakesTheTaskOfADemonstrationLikeAPuzzle) {
-    LevelUnderTest const level(testedData(), testedFile("experiments/1-switched-electromagnet.json"));
+    LevelUnderTest const level(gameData(), testedFile("experiments/1-switched-electromagnet.json"));
     ReportOptions options = shortReport();
     options.robustness.runs = 4;
     options.drops = 0;

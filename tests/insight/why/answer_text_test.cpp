@@ -9,7 +9,7 @@ namespace trembler::insight {
 namespace {
 
 TEST(AnswerText, TellsTheSameAfterwards) {
-    LevelRuns const runs(testedData(), firstContact().level());
+    LevelRuns const runs(gameData(), firstContact().level());
     Answer const answer = why(runs, *firstContact().level().findSolution("the spanner"), {});
     ASSERT_TRUE(answer.happened);
     std::string const text = toText(answer);
