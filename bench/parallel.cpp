@@ -6,6 +6,8 @@
 #include "audio/effect/properties/sounds.hpp"
 #include "bench/measure.hpp"
 #include "bench/scenes/machine_hall.hpp"
+#include "physics/dynamics/properties/settings.hpp"
+#include "physics/dynamics/properties/solver_choice.hpp"
 #include "puzzle/data/effects.hpp"
 #include "runtime/schedule/schedule.hpp"
 #include "runtime/world/world.hpp"
@@ -30,6 +32,7 @@ struct Plan {
     int runs = 5;
     int frames = 300;
     int warmUp = 120; // frames, until all loose objects have fallen to the moving parts
+    std::vector<int> substeps{4, DynamicsSettings::automatic}; // of Dynamics, one after the other
 };
 
 Registry const& effects() {
@@ -46,11 +49,13 @@ struct Hall {
     Subscription sounds; // requests the Sounds, as a loudspeaker does
 };
 
-Hall hall(int threads, int listeners) {
+Hall hall(int substeps, int threads, int listeners) {
     WorldOptions options;
     options.threads = threads;
     auto world = std::make_unique<World>(effects(), options);
-    bench::MachineHall(world->store()).build(machines, objects, listeners);
+    Store& store = world->store();
+    bench::MachineHall(store).build(machines, objects, listeners);
+    store.column<DynamicsSettings>().set(store.create("accuracy"), {.substeps = substeps});
     Subscription sounds = world->want<Sounds>();
     world->start();
     return {std::move(world), std::move(sounds)};
@@ -146,11 +151,12 @@ struct Run {
     bool same = true;
     std::vector<Share> shares;
     Bounds bounds; // means over frames
+    double substeps = 0;
 };
 
-Run measure(Plan const& plan, int listeners) {
-    Hall const singleHall = hall(1, listeners);
-    Hall const twinHall = hall(2, listeners);
+Run measure(Plan const& plan, int substeps, int listeners) {
+    Hall const singleHall = hall(substeps, 1, listeners);
+    Hall const twinHall = hall(substeps, 2, listeners);
     auto const& single = singleHall.world;
     auto const& twin = twinHall.world;
     std::set<std::string_view> inside;
@@ -180,6 +186,7 @@ Run measure(Plan const& plan, int listeners) {
             run.shares[i].times.push_back(status[i].activity == Activity::active ? status[i].lastMicroseconds
                                                                                  : 0);
         }
+        run.substeps += single->find<SolverChoice>()->substeps / static_cast<double>(plan.frames);
         Bounds const bounds = boundsOf(status, inside);
         run.bounds.all += bounds.all / plan.frames;
         run.bounds.whole += bounds.whole / plan.frames;
@@ -218,6 +225,7 @@ void print(std::vector<Run> const& all, std::string const& name) {
     table.row("speed-up", gain.median(), fmt::format("x (runs:{})", each));
     table.row("speed-up of the fastest tenth of frames", fastOne.median() / fastTwo.median(),
               fmt::format("x ({:.0f} to {:.0f} µs)", fastOne.median(), fastTwo.median()));
+    table.row("substeps of Dynamics in a frame, mean", shown.substeps, "");
     table.row("what components take, one after the other", bounds.all, "µs per frame, mean");
     table.row("speed-up that the schedule allows, components undivided", bounds.all / bounds.whole, "x");
     table.row("speed-up that it allows, ranges on both threads", bounds.all / bounds.divided, "x");
@@ -245,19 +253,26 @@ int main(int argc, char** argv) {
             plan.runs = number;
         } else if (what == "--frames") {
             plan.frames = number;
+        } else if (what == "--substeps") {
+            plan.substeps = {number};
         } else if (what == "--warm-up") {
             plan.warmUp = number;
         }
     }
     bool same = true;
-    for (auto const& [listeners, name] :
-         {std::pair{0, "A hall of machines"}, std::pair{4, "The same with four ears"}}) {
-        std::vector<Run> all;
-        for (int i = 0; i < plan.runs; ++i) {
-            all.push_back(measure(plan, listeners));
-            same = same && all.back().same;
+    for (int const substeps : plan.substeps) {
+        for (auto const& [listeners, name] :
+             {std::pair{0, "A hall of machines"}, std::pair{4, "The same with four microphones"}}) {
+            std::vector<Run> all;
+            for (int i = 0; i < plan.runs; ++i) {
+                all.push_back(measure(plan, substeps, listeners));
+                same = same && all.back().same;
+            }
+            std::string const accuracy = substeps == DynamicsSettings::automatic
+                                             ? std::string("substeps as the scene needs them")
+                                             : fmt::format("{} substeps", substeps);
+            print(all, fmt::format("{}, {}", name, accuracy));
         }
-        print(all, name);
     }
     std::printf("every frame the same, bit for bit, on one thread and on two: %s\n", same ? "yes" : "NO");
     return same ? 0 : 1;
