@@ -2,9 +2,12 @@
 # Shared by ./play and ./check: paths, and functions that configure and build a build folder.
 
 root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd -P)
-# One job per processor, but no more than memory allows at 3 GB each.
-jobs=$(awk -v most="$(nproc)" '/^MemAvailable/ { n = int($2 / 3e6) } END { print n < 1 ? 1 : n < most ? n : most }' \
-    /proc/meminfo)
+# jobs_at GIGABYTES: one job per processor, but no more than memory allows at so much for each.
+jobs_at() {
+    awk -v most="$(nproc)" -v each="${1}e6" '/^MemAvailable/ { n = int($2 / each) } END { print n < 1 ? 1 : n < most ? n : most }' \
+        /proc/meminfo
+}
+jobs=$(jobs_at 3)
 unset CXXFLAGS CPPFLAGS LDFLAGS # flags such as -march=native would change the simulation's bits
 export NINJA_STATUS='[%f/%t] '
 export CCACHE_BASEDIR=$root # so that clones in different folders share results
