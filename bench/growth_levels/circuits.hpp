@@ -69,6 +69,33 @@ inline Json networks(int n, bool row) {
     return made;
 }
 
+/// n networks of three objects of their own, a source, a resistor and a return, which share one wire between
+/// the resistors and the returns, at a detail level of electricity.
+inline Json ownNetworks(int n, char const* detail) {
+    Json made = level("own networks");
+    add(made, "shared", 0, 0, {{"conductor", true}});
+    for (int i = 0; i < n; ++i) {
+        std::string const network = numbered("network", i);
+        Json const own{{"network", network}};
+        add(made, numbered("source", i), i, 1,
+            {{"conductor", own}, {"electrical_source", own}, {"emf", {{"voltage", 10}}}});
+        add(made, numbered("resistor", i), i, 2,
+            {{"conductor", own}, {"resistance", 100}, {"current_capacity", 1}});
+        add(made, numbered("return", i), i, 3, {{"conductor", own}, {"electrical_return", own}});
+        made["connections"].push_back({numbered("source", i), numbered("resistor", i)});
+        made["connections"].push_back({numbered("resistor", i), "shared"});
+        made["connections"].push_back({"shared", numbered("return", i)});
+    }
+    made["world"]["detail"] = {{"electricity", detail}};
+    Json inputs = Json::array();
+    for (int frame = 1; frame <= framesOfGrowth + 1; ++frame) {
+        inputs.push_back(
+            {{"frame", frame}, {"cut", {numbered("source", frame), numbered("resistor", frame)}}});
+    }
+    made["solutions"] = {{{"name", "cut"}, {"inputs", inputs}}};
+    return made;
+}
+
 /// A square net of resistors between a source and a return.
 inline Json net(int n) {
     Json made = level("net");

@@ -4,6 +4,7 @@
 #include "game/ui/play/whatif/what_if_tool.hpp"
 #include "game/ui/shared/texts.hpp"
 #include "game/ui/shared/words.hpp"
+#include "physics/dynamics/properties/crowd.hpp"
 #include "puzzle/campaign/as_played.hpp"
 #include "render/scene/areas.hpp"
 #include "runtime/level/read/read_level.hpp"
@@ -58,6 +59,15 @@ PlayParts::PlayParts(UiContext& uiContext, std::filesystem::path levelFile,
     }
     newWorld();
     view.setSubject(subject());
+    tellOfCrowd();
+}
+
+void PlayParts::tellOfCrowd() {
+    Store const& store = session.world().store();
+    if (auto const crowd = crowdedStart(store)) {
+        context.toasts.add(translated(inWords(*crowd, store.nameOf(crowd->body))), render::ToastKind::News,
+                           10);
+    }
 }
 
 RunEvents PlayParts::runEvents() {

@@ -143,6 +143,8 @@ struct PlayParts {
 private:
     [[nodiscard]] RunEvents runEvents();
     void stepped();
+    /// Tells the player of bodies in one place that make each frame long, before the first frame.
+    void tellOfCrowd();
     void solvedLevel(std::string const& id);
     bool reportedAltered_ = false; // whether the player knows that the reached goals of this run do not count
     [[nodiscard]] render::Extent subject() const;

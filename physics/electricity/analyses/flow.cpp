@@ -103,11 +103,12 @@ void FlowElectricity::analyse(Circuit const& circuit, std::vector<std::uint8_t>&
     if (std::find(on.begin(), on.end(), 1) == on.end()) {
         return; // no path leads from a source to a return
     }
+    NetworkMembers const members(circuit);
     for (std::string_view const network : circuit.terminalNetworks()) {
-        MaxFlow const flow = maxFlow(circuit, network, limits);
+        MaxFlow const flow = maxFlow(circuit, members, network, limits);
         found.circuit.flow += inAmperes(flow.total);
-        for (std::uint32_t v = 0; v < circuit.size(); ++v) {
-            found.entries[v].current += inAmperes(flow.through[v]);
+        for (auto const& [v, current] : flow.through) {
+            found.entries[v].current += inAmperes(current);
         }
         for (std::uint32_t const v : flow.bottleneck) {
             found.circuit.bottleneck.push_back(circuit.objects[v]);

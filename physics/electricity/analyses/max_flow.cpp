@@ -8,6 +8,7 @@
 #include <boost/graph/boykov_kolmogorov_max_flow.hpp>
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <numeric>
 
@@ -35,26 +36,28 @@ constexpr std::uint32_t notThere = std::numeric_limits<std::uint32_t>::max();
 /// the flow out, joined by an edge with its capacity.
 class Network {
 public:
-    Network(Circuit const& circuit, std::string_view network, std::span<Microamperes const> capacities)
-        : circuit_(circuit), place_(circuit.size(), notThere) {
-        for (std::uint32_t v = 0; v < circuit.size(); ++v) {
-            if (circuit.takesPart(v, network) && capacities[v] > 0) {
-                order_.push_back(v);
-            }
+    Network(Circuit const& circuit, NetworkMembers const& members, std::string_view network,
+            std::span<Microamperes const> capacities)
+        : circuit_(circuit) {
+        for (auto const vertices : {members.plain(), members.own(network)}) {
+            std::copy_if(vertices.begin(), vertices.end(), std::back_inserter(order_),
+                         [&](std::uint32_t v) { return capacities[v] > 0; });
         }
         std::sort(order_.begin(), order_.end(),
                   [&](std::uint32_t a, std::uint32_t b) { return circuit.objects[a] < circuit.objects[b]; });
         graph_ = Graph(2 * order_.size() + 3);
         join(gate(), source(), unlimited); // limits the total, however many paths there are
         for (std::uint32_t n = 0; n < order_.size(); ++n) {
-            place_[order_[n]] = n;
             join(in(n), out(n), capacities[order_[n]]);
         }
         for (std::uint32_t n = 0; n < order_.size(); ++n) {
             std::vector<std::uint32_t> neighbours;
-            for (std::uint32_t const w : circuit.neighboursOf(order_[n])) {
-                if (place_[w] != notThere) {
-                    neighbours.push_back(place_[w]);
+            for (auto const joined :
+                 {members.plainNeighboursOf(order_[n]), members.ownNeighboursOf(order_[n], network)}) {
+                for (std::uint32_t const w : joined) {
+                    if (std::uint32_t const m = placeOf(w); m != notThere) {
+                        neighbours.push_back(m);
+                    }
                 }
             }
             std::sort(neighbours.begin(), neighbours.end());
@@ -68,7 +71,6 @@ public:
 
     [[nodiscard]] MaxFlow solve() {
         MaxFlow found;
-        found.through.assign(circuit_.size(), 0);
         found.total = boost::boykov_kolmogorov_max_flow(
             graph_, boost::get(&Arc::capacity, graph_), boost::get(&Arc::residual, graph_),
             boost::get(&Arc::reverse, graph_), boost::get(&Node::predecessor, graph_),
@@ -79,6 +81,9 @@ public:
             return found;
         }
         cut(found);
+        for (std::uint32_t const v : order_) {
+            found.through.push_back({v, 0});
+        }
         peel(found);
         return found;
     }
@@ -90,6 +95,15 @@ private:
     [[nodiscard]] FlowVertex sink() const { return 2 * order_.size() + 1; }
     [[nodiscard]] FlowVertex gate() const { return 2 * order_.size() + 2; }
 
+    /// A vertex's place in the order, or notThere. In log n.
+    [[nodiscard]] std::uint32_t placeOf(std::uint32_t vertex) const {
+        ObjectId const object = circuit_.objects[vertex];
+        auto const at =
+            std::lower_bound(order_.begin(), order_.end(), object,
+                             [&](std::uint32_t v, ObjectId const& id) { return circuit_.objects[v] < id; });
+        return at == order_.end() || *at != vertex ? notThere
+                                                   : static_cast<std::uint32_t>(at - order_.begin());
+    }
     void join(FlowVertex from, FlowVertex to, Microamperes capacity) {
         Edge const there = boost::add_edge(from, to, graph_).first;
         Edge const back = boost::add_edge(to, from, graph_).first;
@@ -100,9 +114,9 @@ private:
     template <class F>
     void joinTerminals(std::vector<Circuit::Terminal> const& all, std::string_view network, F&& f) {
         std::vector<std::uint32_t> places;
-        for (Circuit::Terminal const& terminal : all) {
-            if (terminal.network == network && place_[terminal.vertex] != notThere) {
-                places.push_back(place_[terminal.vertex]);
+        for (Circuit::Terminal const& terminal : terminalsOf(all, network)) {
+            if (std::uint32_t const n = placeOf(terminal.vertex); n != notThere) {
+                places.push_back(n);
             }
         }
         std::sort(places.begin(), places.end());
@@ -149,7 +163,7 @@ private:
                     onWay[boost::target(e, graph_)] = 0;
                     if (FlowVertex const from = boost::source(e, graph_);
                         from < source() && from % 2 == 0 && boost::target(e, graph_) == from + 1) {
-                        found.through[order_[from / 2]] += least;
+                        found.through[from / 2].current += least;
                     }
                 }
                 way.clear();
@@ -190,14 +204,14 @@ private:
 
     Circuit const& circuit_;
     Graph graph_;
-    std::vector<std::uint32_t> order_; // vertices, by id
-    std::vector<std::uint32_t> place_; // by vertex: its place in the order, or none
+    std::vector<std::uint32_t> order_; // the vertices that can carry current, by id
 };
 
 } // namespace
 
-MaxFlow maxFlow(Circuit const& circuit, std::string_view network, std::span<Microamperes const> capacities) {
-    return Network(circuit, network, capacities).solve();
+MaxFlow maxFlow(Circuit const& circuit, NetworkMembers const& members, std::string_view network,
+                std::span<Microamperes const> capacities) {
+    return Network(circuit, members, network, capacities).solve();
 }
 
 } // namespace trembler

@@ -9,6 +9,9 @@ namespace trembler {
 namespace {
 
 constexpr std::uint32_t noCluster = std::numeric_limits<std::uint32_t>::max();
+// As a share of the current that the EMFs could drive: less is the rounding error of the potentials, which
+// are exact to 1e-32. A current through a circuit's resistances is at least 1e-16 of it, over their number.
+constexpr double roundingShare = 1e-26;
 
 /// Disjoint sets whose representative is their least element.
 class Sets {
@@ -223,6 +226,19 @@ void NodalAnalysis::solveWithinClusters() {
     }
 }
 
+// A current that the greatest EMF could drive through the greatest conductance alone.
+double NodalAnalysis::drivable() const {
+    double emf = 0;
+    double conductance = 0;
+    for (std::size_t b = 0; b < netlist_.branches.size(); ++b) {
+        emf = std::max(emf, std::abs(netlist_.branches[b].emf));
+        if (!ideal(b)) {
+            conductance = std::max(conductance, 1 / resistances_[b]);
+        }
+    }
+    return emf * conductance;
+}
+
 void NodalAnalysis::sumUp() {
     auto& objects = solution_.objects;
     objects.assign(netlist_.objects.size(), {});
@@ -267,7 +283,7 @@ void NodalAnalysis::sumUp() {
     for (std::uint32_t v = 0; v < objects.size(); ++v) {
         worst = std::max(worst, std::abs(balance[v]));
     }
-    solution_.residual = solution_.largest > 0 ? worst / solution_.largest : 0;
+    solution_.residual = solution_.largest > roundingShare * drivable() ? worst / solution_.largest : 0;
 }
 
 } // namespace trembler

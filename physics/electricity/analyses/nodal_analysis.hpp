@@ -21,7 +21,8 @@ struct NodalSolution {
     std::vector<Object> objects;  ///< by node
     std::vector<double> currents; ///< A, by branch, from `from` to `to`
     double largest = 0;           ///< A, the largest of them
-    /// The error in Kirchhoff's first law at the worst object, as a share of the largest current.
+    /// The error in Kirchhoff's first law at the worst object, as a share of the largest current. 0 if no
+    /// current flows: if all are less than 1e-26 of what the EMFs could drive, which is rounding error only.
     double residual = 0;
 };
 
@@ -69,6 +70,7 @@ private:
     void solveBetweenClusters();
     void solveWithinClusters();
     void sumUp();
+    [[nodiscard]] double drivable() const;
     [[nodiscard]] std::uint32_t clusterOf(std::uint32_t node) const { return cluster_[node]; }
     [[nodiscard]] std::uint32_t nodes() const { return netlist_.earth() + 1; }
     [[nodiscard]] bool ideal(std::size_t branch) const { return resistances_[branch] == 0; }

@@ -5,6 +5,9 @@
 #include <rapidcheck.h>
 
 #include <algorithm>
+#include <array>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 namespace trembler {
@@ -84,7 +87,11 @@ Sample randomSample() {
 TEST(MaxFlow, IsTheMinimumCutOverAllSetsOfObjects) {
     EXPECT_TRUE(rc::check("maximum flow is minimum cut", [] {
         Sample const sample = randomSample();
-        MaxFlow const found = maxFlow(sample.circuit, "", sample.capacities);
+        MaxFlow const found = maxFlow(sample.circuit, NetworkMembers(sample.circuit), "", sample.capacities);
+        std::vector<Microamperes> through(sample.circuit.size(), 0);
+        for (auto const& [vertex, current] : found.through) {
+            through[vertex] = current;
+        }
         Microamperes least = unlimited;
         for (std::uint32_t set = 0; set < sample.subsets(); ++set) {
             if (sample.separates(set)) {
@@ -102,12 +109,12 @@ TEST(MaxFlow, IsTheMinimumCutOverAllSetsOfObjects) {
         std::uint32_t cut = 0;
         for (std::uint32_t const v : found.bottleneck) {
             cut |= 1U << v;
-            RC_ASSERT(found.through[v] == sample.capacities[v]);
-            RC_ASSERT(found.through[v] > 0);
+            RC_ASSERT(through[v] == sample.capacities[v]);
+            RC_ASSERT(through[v] > 0);
         }
         for (std::uint32_t v = 0; v < sample.circuit.size(); ++v) {
-            RC_ASSERT(found.through[v] >= 0);
-            RC_ASSERT(found.through[v] <= sample.capacities[v]);
+            RC_ASSERT(through[v] >= 0);
+            RC_ASSERT(through[v] <= sample.capacities[v]);
         }
         std::uint32_t barred = 0; // objects of zero capacity belong to no bottleneck, but carry no current
         for (std::uint32_t v = 0; v < sample.circuit.size(); ++v) {
@@ -121,6 +128,78 @@ TEST(MaxFlow, IsTheMinimumCutOverAllSetsOfObjects) {
             if (sample.separates(set | barred) && sample.capacity(set) == least) {
                 RC_ASSERT((side & ~(sample.reachable(set | barred) | set)) == 0U);
             }
+        }
+    }));
+}
+
+/// The part of a circuit that takes part in one network, as a circuit of its own, without its other
+/// terminals. `vertices` are those of the whole circuit.
+Circuit partOf(Circuit const& whole, std::string_view network, std::vector<std::uint32_t>& vertices) {
+    Circuit part;
+    part.offsets.push_back(0);
+    std::vector<std::uint32_t> place(whole.size(), whole.size());
+    for (std::uint32_t v = 0; v < whole.size(); ++v) {
+        if (whole.takesPart(v, network)) {
+            place[v] = static_cast<std::uint32_t>(vertices.size());
+            vertices.push_back(v);
+        }
+    }
+    for (std::uint32_t const v : vertices) {
+        part.objects.push_back(whole.objects[v]);
+        part.networks.emplace_back();
+        for (std::uint32_t const w : whole.neighboursOf(v)) {
+            if (place[w] < whole.size()) {
+                part.neighbours.push_back(place[w]);
+            }
+        }
+        part.offsets.push_back(static_cast<std::uint32_t>(part.neighbours.size()));
+    }
+    for (auto const& [from, to] :
+         {std::pair(&whole.sources, &part.sources), std::pair(&whole.returns, &part.returns)}) {
+        for (Circuit::Terminal const& terminal : *from) {
+            if (terminal.network == network) {
+                to->push_back({"", place[terminal.vertex]});
+            }
+        }
+    }
+    return part;
+}
+
+TEST(MaxFlow, OfANetworkIsThatOfItsPartOfTheCircuitAlone) {
+    EXPECT_TRUE(rc::check("other networks have no influence", [] {
+        Sample sample = randomSample();
+        static constexpr std::array<std::string_view, 4> names{"", "a", "b", "c"};
+        Circuit& circuit = sample.circuit;
+        for (std::string_view& network : circuit.networks) {
+            network = names[static_cast<std::size_t>(below(4))];
+        }
+        for (auto* const terminals : {&circuit.sources, &circuit.returns}) {
+            for (Circuit::Terminal& terminal : *terminals) {
+                std::string_view const only = circuit.networks[terminal.vertex];
+                terminal.network = only.empty() ? names[static_cast<std::size_t>(below(4))] : only;
+            }
+            std::sort(terminals->begin(), terminals->end());
+        }
+        NetworkMembers const members(circuit);
+        for (std::string_view const network : names) {
+            std::vector<std::uint32_t> vertices;
+            Circuit const part = partOf(circuit, network, vertices);
+            std::vector<Microamperes> capacities;
+            for (std::uint32_t const v : vertices) {
+                capacities.push_back(sample.capacities[v]);
+            }
+            MaxFlow const found = maxFlow(circuit, members, network, sample.capacities);
+            MaxFlow alone = maxFlow(part, NetworkMembers(part), "", capacities);
+            for (auto& through : alone.through) {
+                through.vertex = vertices[through.vertex];
+            }
+            for (std::uint32_t& v : alone.bottleneck) {
+                v = vertices[v];
+            }
+            RC_ASSERT(found.total == alone.total);
+            RC_ASSERT(found.through == alone.through);
+            RC_ASSERT(found.bottleneck == alone.bottleneck);
+            RC_CLASSIFY(found.total > 0 && found.total < unlimited, "limited");
         }
     }));
 }

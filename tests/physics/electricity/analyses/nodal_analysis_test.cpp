@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -164,6 +165,56 @@ TEST(ElectricityNodalRobust, ThousandsOfIdealConductors) {
     EXPECT_NEAR(solution.currents[2], 0.5, 1e-12); // by symmetry
     EXPECT_LE(solution.residual, residualLimit);
     EXPECT_EQ(solution.objects[7].potential, solution.objects[70].potential); // exactly one node
+}
+
+TEST(ElectricityNodalRobust, WhereNoCurrentFlowsThereIsNoResidual) {
+    // A resistor that leads nowhere: its current is rounding error, and so is its error in Kirchhoff's law,
+    // which is all of it.
+    Draft draft(3);
+    draft.join(0, 2, 0.88965224);
+    draft.source(0, -6, 0.81266207);
+    draft.source(1, 18, 0.015423701);
+    NodalAnalysis analysis;
+    std::mt19937 engine(1);
+    for (int round = 0; round < 2000; ++round) {
+        for (auto& branch : draft.netlist.branches) {
+            branch.resistance = std::pow(10.0, -2 + 4 * (static_cast<double>(engine()) / 4294967296.0));
+        }
+        NodalSolution const& solution = analysis.solve(draft.netlist);
+        ASSERT_LE(solution.largest, 1e-20);
+        ASSERT_EQ(solution.residual, 0) << solution.largest;
+    }
+}
+
+TEST(ElectricityNodalRobust, TheLeastCurrentOfACircuitHasAResidual) {
+    // Beside a conductance that would let 1e12 times the current through, and carries none of it.
+    Draft draft(402);
+    draft.source(0, 1, greatestResistance);
+    double sum = greatestResistance;
+    for (std::uint32_t v = 0; v < 400; ++v) {
+        double const ohm = greatestResistance / (1 + v % 7);
+        draft.join(v, v + 1, ohm);
+        sum += ohm;
+    }
+    draft.join(0, 401, leastResistance);
+    draft.earth(400, greatestResistance);
+    sum += greatestResistance;
+    NodalAnalysis analysis;
+    NodalSolution const& solution = analysis.solve(draft.netlist);
+    EXPECT_NEAR(solution.largest * sum, 1, 1e-12);
+    std::vector<double> balance(draft.netlist.objects.size() + 1, 0);
+    for (std::size_t b = 0; b < solution.currents.size(); ++b) {
+        balance[draft.netlist.branches[b].from] -= solution.currents[b];
+        balance[draft.netlist.branches[b].to] += solution.currents[b];
+    }
+    balance.pop_back(); // the earth
+    double worst = 0;
+    for (double const b : balance) {
+        worst = std::max(worst, std::abs(b));
+    }
+    EXPECT_GT(worst, 0);
+    EXPECT_EQ(solution.residual, worst / solution.largest);
+    EXPECT_LE(solution.residual, 1e-12);
 }
 
 TEST(ElectricityNodalRobust, AnyStatedValuesGiveFiniteResults) {
