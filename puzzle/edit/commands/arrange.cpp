@@ -1,7 +1,7 @@
 #include "puzzle/edit/commands/arrange.hpp"
 
-#include "physics/dynamics/properties/overlap.hpp"
-#include "physics/dynamics/properties/shape_rules.hpp"
+#include "physics/dynamics/properties/shapes/overlap.hpp"
+#include "physics/dynamics/properties/shapes/shape_rules.hpp"
 #include "puzzle/edit/commands/editor_state.hpp"
 #include "puzzle/edit/commands/objects.hpp"
 #include "puzzle/edit/tree/entry_pieces.hpp"

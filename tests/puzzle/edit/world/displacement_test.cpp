@@ -1,5 +1,5 @@
 // A world that follows a drag shows the same as one that is built from the level after the drag.
-#include "physics/dynamics/properties/overlap.hpp"
+#include "physics/dynamics/properties/shapes/overlap.hpp"
 #include "puzzle/edit/commands/arrange.hpp"
 #include "puzzle/edit/commands/objects.hpp"
 #include "puzzle/edit/commands/properties.hpp"

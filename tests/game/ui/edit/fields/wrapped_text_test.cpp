@@ -1,5 +1,5 @@
 // Wrapping lines of a text while it is typed, and giving back what was typed.
-#include "game/ui/edit/panels/wrapped_text.hpp"
+#include "game/ui/edit/fields/wrapped_text.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>

@@ -1,4 +1,4 @@
-#include "physics/dynamics/properties/overlap.hpp"
+#include "physics/dynamics/properties/shapes/overlap.hpp"
 
 #include <box2d/b2_distance.h>
 

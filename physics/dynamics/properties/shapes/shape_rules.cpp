@@ -1,4 +1,4 @@
-#include "physics/dynamics/properties/shape_rules.hpp"
+#include "physics/dynamics/properties/shapes/shape_rules.hpp"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
-#include "game/ui/edit/panels/property_rows.hpp"
+#include "game/ui/edit/fields/property_rows.hpp"
 
 #include "game/ui/edit/edit_words.hpp"
-#include "game/ui/edit/panels/field_widgets.hpp"
+#include "game/ui/edit/fields/field_widgets.hpp"
 #include "game/ui/shared/texts.hpp"
 #include "puzzle/edit/commands/properties.hpp"
 #include "render/draw/palette.hpp"

@@ -1,4 +1,4 @@
-#include "physics/dynamics/properties/shape_order.hpp"
+#include "physics/dynamics/properties/shapes/shape_order.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // Mass properties compared with sums over a fine grid of points.
-#include "physics/dynamics/properties/mass_properties.hpp"
+#include "physics/dynamics/properties/shapes/mass_properties.hpp"
 
 #include <gtest/gtest.h>
 

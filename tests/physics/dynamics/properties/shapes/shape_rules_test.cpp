@@ -1,5 +1,5 @@
 // Shapes that no engine could compute are refused with a message that names the wrong number.
-#include "physics/dynamics/properties/shape_rules.hpp"
+#include "physics/dynamics/properties/shapes/shape_rules.hpp"
 #include "tests/physics/dynamics/ngon.hpp"
 
 #include <gtest/gtest.h>

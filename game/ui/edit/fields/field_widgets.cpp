@@ -1,7 +1,7 @@
-#include "game/ui/edit/panels/field_widgets.hpp"
+#include "game/ui/edit/fields/field_widgets.hpp"
 
 #include "game/ui/edit/edit_words.hpp"
-#include "game/ui/edit/panels/wrapped_text.hpp"
+#include "game/ui/edit/fields/wrapped_text.hpp"
 #include "game/ui/shared/texts.hpp"
 #include "game/ui/shared/words.hpp"
 #include "render/draw/palette.hpp"

@@ -1,5 +1,5 @@
 // Whether shapes overlap by more than is allowed, against their gap by every corner and side.
-#include "physics/dynamics/properties/overlap.hpp"
+#include "physics/dynamics/properties/shapes/overlap.hpp"
 #include "tests/physics/buoyancy/generators.hpp"
 #include "tests/physics/dynamics/brute_gap.hpp"
 

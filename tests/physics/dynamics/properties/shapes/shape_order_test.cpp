@@ -1,8 +1,8 @@
 // The order in which a shape lists its pieces and corners changes nothing.
 #include "physics/buoyancy/hulls/exact_hull.hpp"
 #include "physics/buoyancy/hulls/particle_hull.hpp"
-#include "physics/dynamics/properties/mass_properties.hpp"
-#include "physics/dynamics/properties/shape_order.hpp"
+#include "physics/dynamics/properties/shapes/mass_properties.hpp"
+#include "physics/dynamics/properties/shapes/shape_order.hpp"
 #include "tests/physics/dynamics/scene.hpp"
 
 #include <gtest/gtest.h>

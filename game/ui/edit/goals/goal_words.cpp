@@ -1,4 +1,4 @@
-#include "game/ui/edit/panels/goal_words.hpp"
+#include "game/ui/edit/goals/goal_words.hpp"
 
 #include "game/ui/shared/texts.hpp"
 

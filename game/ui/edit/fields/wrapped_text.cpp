@@ -1,4 +1,4 @@
-#include "game/ui/edit/panels/wrapped_text.hpp"
+#include "game/ui/edit/fields/wrapped_text.hpp"
 
 #include "render/panels/theme.hpp"
 

@@ -1,7 +1,7 @@
-#include "physics/dynamics/properties/mass_properties.hpp"
+#include "physics/dynamics/properties/shapes/mass_properties.hpp"
 
 #include "physics/depth.hpp"
-#include "physics/dynamics/properties/shape_order.hpp"
+#include "physics/dynamics/properties/shapes/shape_order.hpp"
 
 #include <algorithm>
 
