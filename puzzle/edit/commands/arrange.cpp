@@ -113,8 +113,9 @@ Vec2 along(Axis axis, double way) {
     return axis == Axis::x ? Vec2{way, 0} : Vec2{0, way};
 }
 
-Command shifted(std::string name, Shifts shifts, Names names) {
-    return {std::move(name), [shifts = std::move(shifts)](Json& tree) { shiftObjects(tree, shifts); },
+Command shifted(GameData const& data, std::string name, Shifts shifts, Names names) {
+    return {std::move(name),
+            [&data, shifts = std::move(shifts)](Json& tree) { shiftObjects(data, tree, shifts); },
             std::move(names)};
 }
 
@@ -159,39 +160,23 @@ std::optional<Box> extentOfObjects(GameData const& data, Json const& level, Name
     return all ? std::optional(Box{all->first, all->second - all->first}) : std::nullopt;
 }
 
-Command moveObjects(Json const& level, Names const& names, Vec2 by) {
+Command moveObjects(GameData const& data, Json const& level, Names const& names, Vec2 by) {
     mustBeFinite(by);
     Names const free = movable(level, names);
     Shifts shifts;
     for (std::string const& name : free) {
         shifts[name] = by;
     }
-    return shifted(fmt::format("Move {}", objectsInWords(free)), std::move(shifts), free);
+    return shifted(data, fmt::format("Move {}", objectsInWords(free)), std::move(shifts), free);
 }
 
-Command placeObject(Json const& level, std::string const& name, Vec2 at, double angleDegrees) {
-    mustBeFinite(at);
-    Names const free = movable(level, {name});
-    return {fmt::format("Place {}", name),
-            [name, at, angleDegrees](Json& tree) {
-                Json& entry = objectEntry(tree, name);
-                Vec2 const from = placeOf(entry);
-                double const turn = radians(angleDegrees - angleOf(entry));
-                setPlace(entry, at);
-                setAngle(entry, angleDegrees);
-                moveJoints(tree, {name},
-                           {[=](Vec2 point) { return at + rotated(point - from, turn); },
-                            [=](Vec2 way) { return rotated(way, turn); }});
-            },
-            free};
-}
-
-Command rotateObjects(Json const& level, Names const& names, double degreesToTurn, Vec2 centre) {
+Command rotateObjects(GameData const& data, Json const& level, Names const& names, double degreesToTurn,
+                      Vec2 centre) {
     mustBeFinite(centre);
     mustBeFinite({degreesToTurn, 0});
     Names const free = movable(level, names);
     return {fmt::format("Rotate {}", objectsInWords(free)),
-            [free, degreesToTurn, centre](Json& tree) {
+            [&data, free, degreesToTurn, centre](Json& tree) {
                 double const turn = radians(degreesToTurn);
                 Motion const motion{[=](Vec2 point) { return centre + rotated(point - centre, turn); },
                                     [=](Vec2 way) { return rotated(way, turn); }};
@@ -201,7 +186,7 @@ Command rotateObjects(Json const& level, Names const& names, double degreesToTur
                     setPlace(entry, motion.point(placeOf(entry)));
                     setAngle(entry, angleOf(entry) + degreesToTurn);
                 }
-                moveJoints(tree, {free.begin(), free.end()}, motion);
+                moveJoints(data, tree, {free.begin(), free.end()}, motion);
             },
             free};
 }
@@ -226,7 +211,7 @@ Command scaleObjects(GameData const& data, Json const& level, Names const& names
                     scaleEntry(data, entry, factors);
                     setPlace(entry, motion.point(placeOf(entry)));
                 }
-                moveJoints(tree, {free.begin(), free.end()}, motion);
+                moveJoints(data, tree, {free.begin(), free.end()}, motion);
             },
             free};
 }
@@ -268,7 +253,7 @@ Command mirrorObjects(GameData const& data, Json const& level, Names const& name
                     setPlace(entry, motion.point(placeOf(entry)));
                     mirrorEntry(data, entry, atVertical);
                 }
-                moveJoints(tree, {free.begin(), free.end()}, motion);
+                moveJoints(data, tree, {free.begin(), free.end()}, motion);
             },
             free};
 }
@@ -296,8 +281,8 @@ Command alignObjects(GameData const& data, Json const& level, Names const& names
             shifts[name] = along(axis, way);
         }
     }
-    return shifted(fmt::format("Align {} of {}", wordsOf(alignment), objectsInWords(free)), std::move(shifts),
-                   free);
+    return shifted(data, fmt::format("Align {} of {}", wordsOf(alignment), objectsInWords(free)),
+                   std::move(shifts), free);
 }
 
 Command distributeObjects(GameData const& data, Json const& level, Names const& names, Axis axis) {
@@ -321,7 +306,7 @@ Command distributeObjects(GameData const& data, Json const& level, Names const& 
         }
         next += units[i].size(axis) + gap;
     }
-    return shifted(fmt::format("Distribute {}", objectsInWords(free)), std::move(shifts), free);
+    return shifted(data, fmt::format("Distribute {}", objectsInWords(free)), std::move(shifts), free);
 }
 
 } // namespace trembler::edit

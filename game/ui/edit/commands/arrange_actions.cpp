@@ -92,8 +92,9 @@ void move(EditParts& parts, Vec2 steps) {
     double const step =
         parts.context.shiftHeld() ? fineStep : (parts.snapping.on ? parts.snapping.grid : plainStep);
     parts.run([&](Json const& level) {
-        return parts.selected().empty() ? moveOtherThing(parts, level, step * steps)
-                                        : edit::moveObjects(level, parts.selected(), step * steps);
+        return parts.selected().empty()
+                   ? moveOtherThing(parts, level, step * steps)
+                   : edit::moveObjects(*parts.data, level, parts.selected(), step * steps);
     });
 }
 
@@ -102,7 +103,7 @@ void rotate(EditParts& parts, int steps) {
         parts.context.shiftHeld() ? 1 : (parts.snapping.on ? parts.snapping.angleDegrees : 15);
     Vec2 const centre = middleOfSelection(parts);
     parts.run([&](Json const& level) {
-        return edit::rotateObjects(level, parts.selected(), steps * degrees, centre);
+        return edit::rotateObjects(*parts.data, level, parts.selected(), steps * degrees, centre);
     });
 }
 
