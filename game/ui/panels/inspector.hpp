@@ -37,10 +37,6 @@ struct InspectorSection {
 [[nodiscard]] std::vector<InspectorSection> inspect(World const& world, ObjectId object,
                                                     lua::LiveScripts const* scripts = nullptr);
 
-/// A number for people: about four digits; from 1e7 and below 1e-3 three digits with an exponent; "0" below
-/// 1e-9.
-[[nodiscard]] std::string readable(double value);
-
 /// The inspector's card. Follows an object through all runs of its session (LastingObject), whatever its
 /// name.
 class Inspector {

@@ -1,7 +1,7 @@
 #include "game/ui/edit/edit_words.hpp"
 #include "game/ui/edit/fields/field_widgets.hpp"
 #include "game/ui/edit/fields/property_rows.hpp"
-#include "game/ui/panels/parameter_widgets.hpp"
+#include "game/ui/shared/parameter_widgets.hpp"
 #include "lua/attach/live_script.hpp"
 #include "lua/attach/parameter_value.hpp"
 #include "puzzle/edit/commands/properties.hpp"

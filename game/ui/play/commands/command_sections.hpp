@@ -1,8 +1,8 @@
 // The sections of the level's table of commands: a file with rows for each.
 #pragma once
 
-#include "game/ui/commands/command.hpp"
 #include "game/ui/play/play_parts.hpp"
+#include "game/ui/shared/commands/command.hpp"
 
 #include <cstdint>
 #include <span>

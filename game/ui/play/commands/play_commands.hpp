@@ -1,8 +1,8 @@
 // The table of all commands of a level's screen.
 #pragma once
 
-#include "game/ui/commands/command.hpp"
-#include "game/ui/commands/key_help.hpp"
+#include "game/ui/shared/commands/command.hpp"
+#include "game/ui/shared/commands/key_help.hpp"
 
 #include <span>
 
