@@ -53,9 +53,4 @@ enum class Axis { x, y };
 [[nodiscard]] Command distributeObjects(GameData const& data, Json const& level,
                                         std::vector<std::string> const& names, Axis axis);
 
-/// The smallest upright box around the shapes of objects, m. An object without a shape counts as the point
-/// where it is. Nothing for an empty list or unknown names.
-[[nodiscard]] std::optional<Box> extentOfObjects(GameData const& data, Json const& level,
-                                                 std::vector<std::string> const& names);
-
 } // namespace trembler::edit

@@ -6,6 +6,7 @@
 #include "puzzle/edit/commands/editor_state.hpp"
 #include "puzzle/edit/commands/goals.hpp"
 #include "puzzle/edit/commands/objects.hpp"
+#include "puzzle/edit/tree/extent.hpp"
 
 #include <utility>
 

@@ -1,5 +1,6 @@
 #include "game/ui/edit/edit_words.hpp"
 #include "game/ui/edit/fields/field_widgets.hpp"
+#include "game/ui/edit/fields/page_elements.hpp"
 #include "game/ui/edit/fields/property_rows.hpp"
 #include "game/ui/shared/parameter_widgets.hpp"
 #include "lua/attach/live_script.hpp"

@@ -10,7 +10,9 @@
 #include "puzzle/edit/commands/properties.hpp"
 #include "puzzle/edit/commands/shapes.hpp"
 #include "puzzle/edit/commands/solutions.hpp"
+#include "puzzle/edit/tree/extent.hpp"
 #include "runtime/level/json/limits.hpp"
+#include "runtime/level/read/read_part.hpp"
 #include "tests/puzzle/edit/edit_kit.hpp"
 
 #include <fmt/format.h>
