@@ -1,4 +1,4 @@
-#include "runtime/level/write/schema_pieces.hpp"
+#include "runtime/level/json/schema_pieces.hpp"
 
 #include <fmt/format.h>
 
