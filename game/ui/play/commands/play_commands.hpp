@@ -12,7 +12,7 @@ struct PlayParts;
 
 /// In the order of the page of keys. They live as long as the program.
 [[nodiscard]] std::span<Command<PlayParts> const> playCommands();
-/// What the mouse and modifier keys do besides, for the page of keys.
+/// The other actions of the mouse and of modifier keys, for the page of keys.
 [[nodiscard]] std::span<Gesture const> playGestures();
 
 } // namespace trembler::ui
