@@ -80,7 +80,7 @@ void drag(bench::Table& table, GameData const& data, edit::LevelDocument& docume
     for (int i = 1; i <= steps; ++i) {
         std::clock_t const begin = std::clock();
         timeProcessor(command, [&] {
-            document.run(edit::moveObjects(before, names, {0.01 * i, 0}), gesture);
+            document.run(edit::moveObjects(data, before, names, {0.01 * i, 0}), gesture);
         });
         bool followed = false;
         timeProcessor(following, [&] { followed = world.follow(document.tree()); });
@@ -103,7 +103,7 @@ void measure(GameData const& data, edit::LevelDocument document, std::string con
     bench::Series building;
     bench::Series checking;
     for (int i = 0; i < 10; ++i) {
-        document.run(edit::moveObjects(document.tree(), {all.back()}, {0.01, 0}));
+        document.run(edit::moveObjects(data, document.tree(), {all.back()}, {0.01, 0}));
         LevelFile level;
         timeProcessor(reading, [&] { level = readLevel(data.registry, document.json()); });
         edit::EditedWorld world;

@@ -5,7 +5,7 @@
 
 #ifndef TREMBLER_HEADLESS
 #include "game/ui/app/command_lists.hpp"
-#include "game/ui/commands/key_help.hpp"
+#include "game/ui/shared/commands/key_help.hpp"
 #include "runtime/file/visible_text.hpp"
 
 #include <nlohmann/json.hpp>

@@ -8,7 +8,7 @@
 #include "physics/buoyancy/properties/results.hpp"
 #include "physics/buoyancy/properties/settings.hpp"
 #include "physics/depth.hpp"
-#include "physics/dynamics/properties/shape_rules.hpp"
+#include "physics/dynamics/properties/shapes/shape_rules.hpp"
 #include "runtime/placement.hpp"
 
 #include <fmt/format.h>

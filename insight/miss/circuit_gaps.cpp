@@ -1,7 +1,7 @@
 #include "insight/miss/circuit_gaps.hpp"
 
 #include "insight/miss/two_paths.hpp"
-#include "physics/dynamics/properties/overlap.hpp"
+#include "physics/dynamics/properties/shapes/overlap.hpp"
 #include "physics/electricity/properties/electrical.hpp"
 #include "physics/electricity/properties/graph.hpp"
 #include "physics/electricity/properties/scene_level.hpp"

@@ -4,7 +4,7 @@
 #include "insight/miss/current_miss.hpp"
 #include "insight/miss/negated_miss.hpp"
 #include "insight/miss/obstacles.hpp"
-#include "physics/dynamics/properties/overlap.hpp"
+#include "physics/dynamics/properties/shapes/overlap.hpp"
 #include "puzzle/goals/conditions/count.hpp"
 #include "puzzle/goals/conditions/moved.hpp"
 #include "puzzle/goals/conditions/sequence.hpp"

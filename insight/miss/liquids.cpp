@@ -4,8 +4,8 @@
 #include "physics/buoyancy/properties/results.hpp"
 #include "physics/depth.hpp"
 #include "physics/dynamics/properties/body.hpp"
-#include "physics/dynamics/properties/shape_order.hpp"
-#include "physics/dynamics/properties/shape_rules.hpp"
+#include "physics/dynamics/properties/shapes/shape_order.hpp"
+#include "physics/dynamics/properties/shapes/shape_rules.hpp"
 #include "runtime/placement.hpp"
 
 #include <algorithm>

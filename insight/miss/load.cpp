@@ -4,8 +4,8 @@
 #include "physics/dynamics/properties/body.hpp"
 #include "physics/dynamics/properties/contacts.hpp"
 #include "physics/dynamics/properties/joint.hpp"
-#include "physics/dynamics/properties/mass_properties.hpp"
-#include "physics/dynamics/properties/shape_rules.hpp"
+#include "physics/dynamics/properties/shapes/mass_properties.hpp"
+#include "physics/dynamics/properties/shapes/shape_rules.hpp"
 #include "physics/gravity/properties.hpp"
 #include "runtime/placement.hpp"
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "physics/buoyancy/hulls/liquid_area.hpp"
-#include "physics/dynamics/properties/overlap.hpp"
 #include "physics/dynamics/properties/shape.hpp"
+#include "physics/dynamics/properties/shapes/overlap.hpp"
 #include "runtime/world/world.hpp"
 
 #include <span>

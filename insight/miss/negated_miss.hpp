@@ -8,7 +8,8 @@ namespace trembler::insight {
 /// For a condition under "not", which should not be met: `inside`: the way out of the area; `moved`: the way
 /// back below the distance; `on`: the connections that hold the circuit closed; `off`: what `on` lacks;
 /// `count`: of objects; `all`: the nearest of its children, `any`: their mean. Of measure 0 if it is not met.
-/// Nothing tells how nearly two objects that touch do not, or a sequence that is done.
+/// There is no measure of how nearly two touching objects are apart, or of how nearly a finished sequence is
+/// not.
 [[nodiscard]] Miss negatedMiss(ConditionMiss const& one, World const& world, CircuitSight& circuits);
 
 } // namespace trembler::insight

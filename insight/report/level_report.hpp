@@ -29,8 +29,8 @@ struct ReportOptions {
     std::uint64_t search = 0; ///< trials in search of other solutions; 0: none
     /// Called with what is being done, for progress; may be empty.
     std::function<void(std::string const&)> step = {};
-    /// Called after each part of the work with what is known by then, for who shows it as it comes; may be
-    /// empty. What is not known yet is empty, and robustness has no runs.
+    /// Called after each part of the work with what is known by then, for a caller that shows it as it comes;
+    /// may be empty. What is not known yet is empty, and robustness has no runs.
     std::function<void(struct LevelReport const&)> sofar = {};
 };
 

@@ -22,7 +22,7 @@ struct Jitter {
 /// The solution with every placement displaced, evenly distributed over a disc and over a range of angles. If
 /// a player could not place the parts so (a part would overlap something, or lie outside the area for
 /// placing), others are drawn, up to 64 times; `redrawn` counts them. Nothing if none of them fits. Each
-/// deed, as deedsOf() tells them, comes earlier or later, but not before the same hand has ended its last
+/// deed, as deedsOf() lists them, comes earlier or later, but not before the same hand has ended its last
 /// one; where a hand takes hold and moves to is displaced by the same vector.
 [[nodiscard]] std::optional<Solution> jittered(LevelUnderTest const& level, Solution const& solution,
                                                Jitter const& jitter, CounterRandom& random, int& redrawn);

@@ -22,10 +22,10 @@ public:
     PlacedNames(LevelFile const& level, std::span<Placement const> placements,
                 std::set<std::size_t> const& gone);
 
-    /// What an object of the whole run is called in the reduced one; a name that no object has if its
+    /// The name in the reduced run of an object of the whole one; a name that no object has if its
     /// placement is gone. Names of the level's own objects stay.
     [[nodiscard]] std::string inReduced(std::string const& name) const;
-    /// What an object of the reduced run is called in the whole one.
+    /// The name in the whole run of an object of the reduced one.
     [[nodiscard]] std::string inWhole(std::string const& name) const;
     /// Whether the object, by its name in the whole run, came from a placement that is gone.
     [[nodiscard]] bool isGone(std::string const& name) const;

@@ -1,9 +1,7 @@
 #include "insight/run/reduced_level.hpp"
 
 #include "insight/run/placed_names.hpp"
-#include "physics/dynamics/properties/joint.hpp"
 #include "puzzle/data/effects.hpp"
-#include "runtime/level/build/joint_names.hpp"
 
 #include <fmt/format.h>
 
@@ -26,35 +24,6 @@ void eraseThose(std::vector<T>& list, Indices const& indices, std::string_view w
     for (auto at = indices.rbegin(); at != indices.rend(); ++at) {
         list.erase(list.begin() + static_cast<std::ptrdiff_t>(*at));
     }
-}
-
-/// The joints of the objects, and the gears between those joints.
-Indices jointsOf(LevelFile const& level, std::set<std::string> const& objects, Indices joints) {
-    std::vector<std::string> const names = jointNames(level);
-    std::set<std::string> gone = objects;
-    for (std::size_t const joint : joints) {
-        if (joint < names.size()) {
-            gone.insert(names[joint]);
-        }
-    }
-    for (bool more = true; more;) {
-        more = false;
-        for (std::size_t i = 0; i < level.joints.size(); ++i) {
-            Joint const* const joint = level.joints[i].properties.find<Joint>();
-            if (joint == nullptr || joints.contains(i)) {
-                continue;
-            }
-            ObjectId const ends[] = {joint->a, joint->b, joint->jointA, joint->jointB};
-            if (std::any_of(std::begin(ends), std::end(ends), [&](ObjectId end) {
-                    return end.valid() && gone.contains(level.names.nameOf(end));
-                })) {
-                joints.insert(i);
-                gone.insert(names[i]);
-                more = true;
-            }
-        }
-    }
-    return joints;
 }
 
 /// Lets inputs and wires name what is left of the placed objects as the reduced run does. A wire to one that
@@ -107,16 +76,9 @@ PlacedNames namesWithout(LevelFile const& level, Variation const& variation) {
 
 ReducedLevel reduced(LevelFile const& level, Variation const& variation) {
     std::map<LeftOut::Kind, Indices> indices;
-    std::set<std::string> objects;
     ReducedLevel left{level, variation.solution, {}, {}};
     for (LeftOut const& one : variation.leftOut) {
         switch (one.kind) {
-        case LeftOut::Kind::object:
-            if (level.findObject(one.a) == nullptr) {
-                throw std::invalid_argument(fmt::format("the level has no object '{}'", one.a));
-            }
-            objects.insert(one.a);
-            break;
         case LeftOut::Kind::effect:
             if (!dispensableGameEffects().contains(one.a)) {
                 throw std::invalid_argument(fmt::format("there is no effect '{}' to be left out", one.a));
@@ -139,15 +101,6 @@ ReducedLevel reduced(LevelFile const& level, Variation const& variation) {
         touch.b = names.inReduced(touch.b);
     }
     left.solution = without(level, std::move(left.solution), indices);
-    eraseThose(left.level.connections, indices[LeftOut::Kind::connection], "connection");
-    eraseThose(left.level.joints, jointsOf(level, objects, indices[LeftOut::Kind::joint]), "joint");
-    std::erase_if(left.level.objects,
-                  [&](LevelObject const& object) { return objects.contains(object.name); });
-    auto const loose = [&](LevelConnection const& wire) {
-        return objects.contains(wire.a) || objects.contains(wire.b);
-    };
-    std::erase_if(left.level.connections, loose);
-    std::erase_if(left.solution.wires, loose);
     for (std::string const& effect : left.effects) {
         left.level.detail.erase(effect);
         std::erase_if(left.solution.changes, [&](RecordedChange const& change) {

@@ -33,14 +33,6 @@ LeftOut withoutInput(std::size_t index) {
     return leftOutAt(LeftOut::Kind::input, index);
 }
 
-LeftOut withoutObject(std::string name) {
-    return leftOutNamed(LeftOut::Kind::object, std::move(name));
-}
-
-LeftOut withoutConnection(std::size_t index) {
-    return leftOutAt(LeftOut::Kind::connection, index);
-}
-
 LeftOut withoutContact(std::string a, std::string b, std::uint64_t from) {
     if (b < a) {
         std::swap(a, b);

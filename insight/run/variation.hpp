@@ -13,19 +13,16 @@ namespace trembler::insight {
 /// One thing that a run does without.
 struct LeftOut {
     enum class Kind : std::uint8_t {
-        placement,  ///< of the solution, by index
-        wire,       ///< that the solution lays, by index
-        input,      ///< of the solution, by index
-        object,     ///< of the level, by name; with its joints and connections
-        joint,      ///< of the level, by index
-        connection, ///< of the level, by index
-        contact,    ///< two objects pass through each other from a frame on, by their names
-        dip,        ///< a liquid does not act on an object from a frame on, by their names
-        effect,     ///< of physics, by name, see dispensableGameEffects()
+        placement, ///< of the solution, by index
+        wire,      ///< that the solution lays, by index
+        input,     ///< of the solution, by index
+        contact,   ///< two objects pass through each other from a frame on, by their names
+        dip,       ///< a liquid does not act on an object from a frame on, by their names
+        effect,    ///< of physics, by name, see dispensableGameEffects()
     };
     Kind kind = Kind::placement;
-    std::size_t index = 0;  ///< in the solution's or the level's list
-    std::string a{};        ///< object, contact, dip: a name; effect: its name
+    std::size_t index = 0;  ///< in the solution's list
+    std::string a{};        ///< contact, dip: a name; effect: its name
     std::string b{};        ///< contact: the other name; dip: the liquid's
     std::uint64_t from = 1; ///< contact, dip: the first frame without it
 
@@ -35,8 +32,6 @@ struct LeftOut {
 [[nodiscard]] LeftOut withoutPlacement(std::size_t index);
 [[nodiscard]] LeftOut withoutWire(std::size_t index);
 [[nodiscard]] LeftOut withoutInput(std::size_t index);
-[[nodiscard]] LeftOut withoutObject(std::string name);
-[[nodiscard]] LeftOut withoutConnection(std::size_t index);
 /// The names in either order.
 [[nodiscard]] LeftOut withoutContact(std::string a, std::string b, std::uint64_t from = 1);
 [[nodiscard]] LeftOut withoutDip(std::string object, std::string liquid, std::uint64_t from = 1);

@@ -2,7 +2,7 @@
 
 #include "insight/search/wire_ends.hpp"
 #include "insight/trial/trial.hpp"
-#include "physics/dynamics/properties/overlap.hpp"
+#include "physics/dynamics/properties/shapes/overlap.hpp"
 #include "puzzle/session/fit.hpp"
 #include "puzzle/session/zone.hpp"
 #include "runtime/placement.hpp"

@@ -23,7 +23,7 @@ struct SearchOptions {
     bool random = false;
     /// Called after every generation, in every member of a team, with the trials so far.
     std::function<void(std::uint64_t runs, std::size_t kinds)> progress;
-    /// The same, with everything found so far, for who shows it as it comes.
+    /// The same, with everything found so far, for a caller that shows it as it comes.
     std::function<void(struct SearchResult const&)> sofar;
 };
 

@@ -2,7 +2,7 @@
 
 #include "physics/buoyancy/properties/liquid.hpp"
 #include "physics/dynamics/properties/body.hpp"
-#include "physics/dynamics/properties/overlap.hpp"
+#include "physics/dynamics/properties/shapes/overlap.hpp"
 #include "physics/electricity/properties/electrical.hpp"
 #include "physics/magnetism/properties.hpp"
 #include "runtime/level/build/placed_pieces.hpp"

@@ -7,8 +7,8 @@
 
 namespace trembler::insight {
 
-/// What is told of something that happened: the chain, and what sentences need to know of the objects. Not a
-/// nearest miss.
+/// The answer about something that happened: the chain, and the facts about the objects that sentences need.
+/// Not a nearest miss.
 [[nodiscard]] std::string toText(Answer const& answer);
 /// The inverse. The text must be one that toText() has made.
 [[nodiscard]] Answer answerFrom(std::string const& text);

@@ -1,4 +1,4 @@
-// What a trace tells of the consequences of a deed that it does not connect with what was asked about.
+// The consequences, in a trace, of a deed that it does not connect with what was asked about.
 #pragma once
 
 #include "insight/why/story.hpp"

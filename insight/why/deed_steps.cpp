@@ -97,15 +97,8 @@ public:
             if (known) { // the bridge would join the story, so the trace connects them after all
                 continue;
             }
-            Step step{kindOf(event).value_or(StepKind::other),
-                      event.id,
-                      event.frame,
-                      event.component,
-                      event.event,
-                      event.objects,
-                      {},
-                      true,
-                      true};
+            Step step = stepFor(event);
+            step.bridge = true;
             entries_.push_back({std::move(step), {before}});
             before = entries_.size() - 1;
         }

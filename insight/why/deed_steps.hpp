@@ -1,4 +1,4 @@
-// What the player did, as steps of a story.
+// The player's deeds, as steps of a story.
 #pragma once
 
 #include "insight/ablation/needs.hpp"

@@ -1,7 +1,7 @@
 #include "insight/why/step_places.hpp"
 
 #include "insight/why/story.hpp"
-#include "physics/dynamics/properties/overlap.hpp"
+#include "physics/dynamics/properties/shapes/overlap.hpp"
 #include "runtime/placement.hpp"
 #include "runtime/trace/tracer.hpp"
 

@@ -156,6 +156,17 @@ private:
 
 } // namespace
 
+Step stepFor(Event const& event) {
+    Step step;
+    step.kind = kindOf(event).value_or(StepKind::other);
+    step.event = event.id;
+    step.frame = event.frame;
+    step.component = event.component;
+    step.what = event.event;
+    step.objects = event.objects;
+    return step;
+}
+
 std::optional<StepKind> kindOf(Event const& event) {
     if (event.phase == Phase::goal) {
         return StepKind::goal;
@@ -217,15 +228,7 @@ Story storyOf(std::span<Event const> events, EventId asked, SceneFacts const& fa
     std::map<std::size_t, std::size_t> stepOf;
     for (std::size_t const i : reached) {
         Event const& event = events[i];
-        Step step{kindOf(event).value_or(StepKind::other),
-                  event.id,
-                  event.frame,
-                  event.component,
-                  event.event,
-                  event.objects,
-                  {},
-                  true,
-                  false};
+        Step step = stepFor(event);
         std::set<std::size_t> because;
         for (std::size_t const cause : causes[i]) {
             if (cause < i) {

@@ -60,6 +60,9 @@ struct Story {
 /// in whose place the contact is named.
 [[nodiscard]] std::optional<StepKind> kindOf(Event const& event);
 
+/// The step that describes an event, without causes.
+[[nodiscard]] Step stepFor(Event const& event);
+
 /// The story of an event of a trace, which must be in it. A current's causes are not only the connection that
 /// came last, but all contacts that close circuits at that time; what moves an object to a place of a goal is
 /// also what last touched or pulled it, and that it dips into a liquid, or something that joints tie it to

@@ -9,7 +9,7 @@
 
 namespace trembler::lua {
 
-/// What is wrong with a value of a parameter, in words: another kind, out of range, not finite, a text that
+/// The fault of a value of a parameter, in words: another kind, out of range, not finite, a text that
 /// is too long or none of the choices. Nothing if it is right.
 [[nodiscard]] std::optional<std::string> faultOf(Parameter const& parameter, Value const& value);
 

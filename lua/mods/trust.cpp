@@ -2,14 +2,9 @@
 
 #include "runtime/level/json/json_node.hpp"
 
-#include <fmt/format.h>
-#include <nlohmann/json.hpp>
-
 #include <cstdlib>
 #include <fstream>
 #include <mutex>
-#include <stdexcept>
-#include <system_error>
 #include <type_traits>
 
 namespace trembler::lua {
@@ -102,37 +97,6 @@ ModSettings readModSettings(fs::path const& file, Problems& problems) {
     }
     reader.finish();
     return settings;
-}
-
-void setTrusted(fs::path const& file, std::string const& mod, bool trusted) {
-    Problems problems;
-    ModSettings settings = readModSettings(file, problems);
-    problems.throwIfAny();
-    nlohmann::ordered_json whole = nlohmann::ordered_json::object();
-    std::error_code error;
-    if (fs::exists(file, error)) {
-        std::ifstream in(file);
-        whole = nlohmann::ordered_json::parse(in); // it was read a moment ago
-    }
-    if (trusted) {
-        settings.trusted.insert(mod);
-    } else {
-        settings.trusted.erase(mod);
-    }
-    whole["trusted"] = settings.trusted;
-    fs::create_directories(file.parent_path(), error);
-    fs::path const fresh = file.string() + ".new";
-    {
-        std::ofstream out(fresh);
-        out << whole.dump(2) << "\n";
-        if (!out) {
-            throw std::runtime_error(fmt::format("{} cannot be written", fresh.string()));
-        }
-    }
-    fs::rename(fresh, file, error); // whole or not at all
-    if (error) {
-        throw std::runtime_error(fmt::format("{} cannot be written: {}", file.string(), error.message()));
-    }
 }
 
 void trustForThisRun(std::vector<std::string> const& names) {

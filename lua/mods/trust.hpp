@@ -28,9 +28,6 @@ struct ModSettings {
 /// A missing file states nothing. Adds what is wrong with one to `problems`; what is right in it
 /// counts.
 [[nodiscard]] ModSettings readModSettings(std::filesystem::path const& file, Problems& problems);
-/// Lets a mod be trusted from the next level on, or takes it back, and leaves the rest of the file as it is.
-/// Throws std::runtime_error if the file cannot be written, InputError if what is there is no such file.
-void setTrusted(std::filesystem::path const& file, std::string const& mod, bool trusted);
 
 /// Trusts mods of these names too, for as long as the program runs. Thread-safe.
 void trustForThisRun(std::vector<std::string> const& names);

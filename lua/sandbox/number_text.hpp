@@ -23,7 +23,7 @@ namespace trembler::lua {
 /// The name between the operands of .., U+2025: no script can write it, as tokenFault() refuses such letters.
 inline constexpr std::string_view joinerName = "\xE2\x80\xA5";
 
-/// What is wrong with a token: a string that reads as a long number, or a name with letters beyond ASCII.
+/// The fault of a token: a string that reads as a long number, or a name with letters beyond ASCII.
 [[nodiscard]] std::optional<SourceFault> tokenFault(SourceScanner const& scanner, SourceScanner::Kind kind);
 
 /// A text without faults in which every `a .. b` is `a .. JOINER .. b`. Lines are those of the text.

@@ -8,7 +8,7 @@
 #include "physics/dynamics/interactions/frame_from_dynamics.hpp"
 #include "physics/dynamics/interactions/from_player.hpp"
 #include "physics/dynamics/interactions/population_from_dynamics.hpp"
-#include "physics/dynamics/properties/shape_rules.hpp"
+#include "physics/dynamics/properties/shapes/shape_rules.hpp"
 #include "physics/dynamics/rules/completion.hpp"
 #include "physics/dynamics/rules/crowd_rules.hpp"
 #include "physics/dynamics/rules/joint_rules.hpp"

@@ -3,7 +3,7 @@
 
 #include "physics/depth.hpp"
 #include "physics/dynamics/properties/shape.hpp"
-#include "physics/dynamics/properties/shape_rules.hpp"
+#include "physics/dynamics/properties/shapes/shape_rules.hpp"
 #include "physics/magnetism/properties.hpp"
 #include "physics/material.hpp"
 #include "runtime/component/completion.hpp"

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "physics/dynamics/properties/body.hpp"
-#include "physics/dynamics/properties/mass_properties.hpp"
 #include "physics/dynamics/properties/shape.hpp"
+#include "physics/dynamics/properties/shapes/mass_properties.hpp"
 #include "physics/inverse_square/points.hpp"
 #include "physics/magnetism/properties.hpp"
 #include "runtime/placement.hpp"

@@ -1,6 +1,6 @@
 #include "physics/motor/rotor.hpp"
 
-#include "physics/dynamics/properties/mass_properties.hpp"
+#include "physics/dynamics/properties/shapes/mass_properties.hpp"
 
 #include <limits>
 

@@ -16,7 +16,7 @@ namespace trembler {
 struct LevelCheckup {
     /// In the order of the places in the files, at most Problems::most; empty if nothing is wrong.
     std::vector<Diagnostic> problems{};
-    /// What a finished level has and this one does not yet have: goals, solutions. It is playable without.
+    /// The things that this level still lacks to be finished: goals, solutions. It is playable without.
     std::vector<Diagnostic> lacking{};
     bool read = false;     ///< the file states a level
     bool playable = false; ///< and its world can be built and its goals judged: a session can be made of it

@@ -1,7 +1,7 @@
 // Complains about what no player can reach or see: see level_checks.hpp.
 #include "physics/buoyancy/properties/liquid.hpp"
-#include "physics/dynamics/properties/overlap.hpp"
 #include "physics/dynamics/properties/shape.hpp"
+#include "physics/dynamics/properties/shapes/overlap.hpp"
 #include "puzzle/checks/level_checks.hpp"
 #include "puzzle/goals/read_goals.hpp"
 #include "puzzle/session/fit.hpp"

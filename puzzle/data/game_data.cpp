@@ -6,6 +6,7 @@
 #include "puzzle/data/effects.hpp"
 #include "puzzle/data/own_part_files.hpp"
 #include "runtime/level/build/check_composites.hpp"
+#include "runtime/level/read/read_part.hpp"
 
 #include <algorithm>
 #include <cstdlib>

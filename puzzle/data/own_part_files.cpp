@@ -2,6 +2,7 @@
 
 #include "runtime/level/build/check_composites.hpp"
 #include "runtime/level/json/json_document.hpp"
+#include "runtime/level/read/read_part.hpp"
 
 #include <fmt/format.h>
 

@@ -3,7 +3,7 @@
 #include "physics/buoyancy/properties/liquid.hpp"
 #include "physics/dynamics/properties/body.hpp"
 #include "physics/dynamics/properties/joint.hpp"
-#include "physics/dynamics/properties/overlap.hpp"
+#include "physics/dynamics/properties/shapes/overlap.hpp"
 #include "runtime/level/build/placed_pieces.hpp"
 #include "runtime/placement.hpp"
 #include "runtime/property/for_each.hpp"

@@ -1,6 +1,7 @@
 #include "puzzle/session/zone.hpp"
 
 #include "physics/dynamics/properties/body.hpp"
+#include "physics/dynamics/properties/shapes/corners.hpp"
 #include "runtime/level/build/placed_pieces.hpp"
 #include "runtime/placement.hpp"
 
@@ -33,14 +34,9 @@ std::vector<Vec2> outlineOf(ShapePiece const& piece, PlacedShape const& placed) 
         arc({-half, 0}, pi / 2, arcSteps / 2);
         break;
     }
-    case ShapeForm::box: {
-        double const w = piece.width / 2;
-        double const h = piece.height / 2;
-        corners = {{-w, -h}, {w, -h}, {w, h}, {-w, h}};
-        break;
-    }
+    case ShapeForm::box:
     case ShapeForm::polygon:
-        corners = piece.corners;
+        corners = straightCornersOf(piece);
         break;
     }
     for (Vec2& corner : corners) {

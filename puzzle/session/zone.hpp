@@ -1,7 +1,7 @@
 // Whether a part lies wholly where a level allows parts.
 #pragma once
 
-#include "physics/dynamics/properties/overlap.hpp"
+#include "physics/dynamics/properties/shapes/overlap.hpp"
 #include "runtime/level/model/level.hpp"
 #include "runtime/level/model/part_library.hpp"
 

@@ -95,12 +95,12 @@ void Window::startVideo(WindowMode mode) {
                           std::string("The window could not be opened: SDL found no video driver (") +
                               SDL_GetError() + ").");
     }
-    auto const* driver = SDL_GetCurrentVideoDriver();
-    videoDriver_ = driver != nullptr ? driver : "";
-    if (mode == WindowMode::Visible && showsNothing(videoDriver_)) {
+    char const* const current = SDL_GetCurrentVideoDriver();
+    std::string const driver = current != nullptr ? current : "";
+    if (mode == WindowMode::Visible && showsNothing(driver)) {
         throw WindowError(WindowError::Kind::NoDisplay,
                           "There is no display to open a window on (SDL could only offer its driver '" +
-                              videoDriver_ +
+                              driver +
                               "', which shows nothing). Start the game from a desktop, or set DISPLAY or "
                               "WAYLAND_DISPLAY.");
     }
@@ -148,9 +148,9 @@ void Window::openContext() {
                                                            glString(GL_VERSION) +
                                                            ", but Trembler needs 3.3 or newer.");
     }
-    renderer_ = glString(GL_RENDERER);
+    std::string const renderer = glString(GL_RENDERER);
     for (auto const* name : std::array{"llvmpipe", "softpipe", "swrast", "Software"}) {
-        software_ = software_ || renderer_.find(name) != std::string::npos;
+        software_ = software_ || renderer.find(name) != std::string::npos;
     }
 }
 

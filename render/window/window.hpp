@@ -83,9 +83,6 @@ public:
     [[nodiscard]] Image readPixels();
 
     [[nodiscard]] WindowMode mode() const { return mode_; }
-    /// SDL's name of the video driver ("x11", "wayland", "offscreen") and OpenGL's of the renderer.
-    [[nodiscard]] std::string const& videoDriver() const { return videoDriver_; }
-    [[nodiscard]] std::string const& renderer() const { return renderer_; }
     /// OpenGL runs on the processor: leave soft shadows out by default (they double the cost of a frame).
     [[nodiscard]] bool software() const { return software_; }
 
@@ -112,8 +109,6 @@ private:
 
     WindowMode mode_;
     float uiScaleRequest_;
-    std::string videoDriver_;
-    std::string renderer_;
     bool software_ = false;
     Maximising maximising_;
     Video video_;

@@ -2,6 +2,7 @@
 
 #include "puzzle/campaign/chapter.hpp"
 #include "puzzle/data/effects.hpp"
+#include "runtime/level/read/read_part.hpp"
 
 #include <algorithm>
 

@@ -4,6 +4,7 @@
 #include "physics/register_physics.hpp"
 #include "runtime/level/build/build_world.hpp"
 #include "runtime/level/read/read_level.hpp"
+#include "runtime/level/read/read_part.hpp"
 #include "runtime/world/registry.hpp"
 #include "runtime/world/world.hpp"
 

@@ -1,7 +1,7 @@
 #include "audio/effect/core/sound_columns.hpp"
 
 #include "audio/effect/core/contact_pulse.hpp"
-#include "physics/dynamics/properties/shape_rules.hpp"
+#include "physics/dynamics/properties/shapes/shape_rules.hpp"
 
 #include <utility>
 

@@ -3,7 +3,7 @@
 #include "audio/effect/core/mode_shapes.hpp"
 #include "audio/effect/properties/decibel.hpp"
 #include "physics/depth.hpp"
-#include "physics/dynamics/properties/shape_order.hpp"
+#include "physics/dynamics/properties/shapes/shape_order.hpp"
 
 #include <algorithm>
 #include <cmath>

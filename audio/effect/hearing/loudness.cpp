@@ -3,7 +3,7 @@
 #include "audio/effect/hearing/heard_sum.hpp"
 #include "audio/effect/hearing/smoothing.hpp"
 #include "audio/effect/properties/decibel.hpp"
-#include "physics/dynamics/properties/mass_properties.hpp"
+#include "physics/dynamics/properties/shapes/mass_properties.hpp"
 
 #include <algorithm>
 #include <iterator>

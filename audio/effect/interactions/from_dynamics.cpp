@@ -3,7 +3,7 @@
 #include "audio/effect/core/contact_pulse.hpp"
 #include "audio/effect/core/rubbing.hpp"
 #include "audio/effect/properties/acoustic_material.hpp"
-#include "physics/dynamics/properties/mass_properties.hpp"
+#include "physics/dynamics/properties/shapes/mass_properties.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -34,7 +34,7 @@ struct SearchedLevel {
                                         std::filesystem::path const& file, SolveArguments const& arguments,
                                         std::uint64_t runs, bool many, WorkPlace& place);
 
-/// What is reported about a level.
+/// The report on a level.
 struct LevelSummary {
     nlohmann::ordered_json json;
     std::vector<std::string> lines; ///< for people, one for each kind of solution

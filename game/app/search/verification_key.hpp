@@ -1,4 +1,4 @@
-// What a level's verification depends on, in a few letters.
+// A short key of everything that a level's verification depends on.
 #pragma once
 
 #include "game/app/mods/mods.hpp"

@@ -12,7 +12,7 @@
 
 namespace trembler::ui {
 
-/// What a level is played with: with the mods that it names, nullptr if it names none. Throws InputError if
+/// The data for playing a level: with the mods that it names, nullptr if it names none. Throws InputError if
 /// one is missing or wrong.
 using LevelData = std::function<std::shared_ptr<GameData const>(std::filesystem::path const&)>;
 
@@ -25,8 +25,8 @@ struct GameOptions {
     bool steady = false;                       ///< disables blinking, for tests
     LevelData levelData{};                     ///< empty: levels that name mods cannot be played
     std::vector<std::filesystem::path> mods{}; ///< folders of mods whose levels are listed
-    /// What a game with the same levels, data and mods has read; it is copied. nullptr: all levels are read
-    /// now.
+    /// The levels as a game with the same levels, data and mods has read them; copied. nullptr: all levels
+    /// are read now.
     LevelCatalog const* catalog = nullptr;
 };
 

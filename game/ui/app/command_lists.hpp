@@ -1,8 +1,8 @@
 // The commands and gestures of all screens of the program.
 #pragma once
 
-#include "game/ui/commands/key_bindings.hpp"
-#include "game/ui/commands/key_help.hpp"
+#include "game/ui/shared/commands/key_bindings.hpp"
+#include "game/ui/shared/commands/key_help.hpp"
 
 #include <span>
 #include <vector>

@@ -1,4 +1,4 @@
-// What a file is that the player dropped onto the window.
+// The kind of a file that the player dropped onto the window.
 #pragma once
 
 #include <cstdint>

@@ -1,6 +1,6 @@
 #include "game/ui/app/keys_page.hpp"
 
-#include "game/ui/commands/key_help.hpp"
+#include "game/ui/shared/commands/key_help.hpp"
 #include "game/ui/shared/texts.hpp"
 #include "game/ui/shared/words.hpp"
 #include "render/draw/palette.hpp"

@@ -5,7 +5,7 @@
 #include "game/ui/app/keys_page.hpp"
 #include "game/ui/app/settings_page.hpp"
 #include "game/ui/app/solutions_page.hpp"
-#include "game/ui/commands/commands_page.hpp"
+#include "game/ui/shared/commands/commands_page.hpp"
 #include "game/ui/shared/screen.hpp"
 #include "game/ui/shared/ui_context.hpp"
 

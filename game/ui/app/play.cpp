@@ -5,8 +5,8 @@
 #include "game/ui/app/game_loop.hpp"
 #include "game/ui/headless/run_sound.hpp"
 #include "game/ui/headless/screenshot.hpp"
+#include "game/ui/shared/kept/user_folders.hpp"
 #include "game/ui/shared/shown_faults.hpp"
-#include "game/ui/shared/user_folders.hpp"
 #include "runtime/level/json/diagnostic.hpp"
 #include "runtime/level/read/read_level.hpp"
 

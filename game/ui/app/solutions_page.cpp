@@ -1,7 +1,7 @@
 #include "game/ui/app/solutions_page.hpp"
 
+#include "game/ui/shared/kept/user_folders.hpp"
 #include "game/ui/shared/texts.hpp"
-#include "game/ui/shared/user_folders.hpp"
 #include "render/draw/palette.hpp"
 #include "render/panels/buttons.hpp"
 #include "render/panels/theme.hpp"

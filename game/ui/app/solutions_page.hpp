@@ -1,9 +1,9 @@
 // The page of a level's solutions: load, rename, delete, open a file that somebody sent.
 #pragma once
 
-#include "game/ui/commands/key_bindings.hpp"
 #include "game/ui/edit/files/file_browser.hpp"
 #include "game/ui/play/keeping/loadable_solutions.hpp"
+#include "game/ui/shared/commands/key_bindings.hpp"
 #include "game/ui/shared/ui_context.hpp"
 
 #include <array>

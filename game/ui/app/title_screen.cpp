@@ -1,8 +1,8 @@
 #include "game/ui/app/title_screen.hpp"
 
 #include "game/ui/app/title_picture.hpp"
-#include "game/ui/commands/carry_out_keys.hpp"
-#include "game/ui/commands/common_commands.hpp"
+#include "game/ui/shared/commands/carry_out_keys.hpp"
+#include "game/ui/shared/commands/common_commands.hpp"
 #include "game/ui/shared/texts.hpp"
 #include "game/ui/shared/words.hpp"
 #include "render/draw/palette.hpp"

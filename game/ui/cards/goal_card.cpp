@@ -1,6 +1,6 @@
 #include "game/ui/cards/goal_counts.hpp"
+#include "game/ui/cards/level_text.hpp"
 #include "game/ui/cards/play_cards.hpp"
-#include "game/ui/play/view/level_text.hpp"
 #include "game/ui/shared/texts.hpp"
 #include "game/ui/shared/words.hpp"
 #include "render/draw/palette.hpp"

@@ -1,8 +1,9 @@
 // The cards around a level: goals, toolbox, large buttons, tools, success.
 #pragma once
 
-#include "game/ui/commands/command_buttons.hpp"
+#include "game/ui/shared/card_sizes.hpp"
 #include "game/ui/shared/catalog/part_catalog.hpp"
+#include "game/ui/shared/commands/command_buttons.hpp"
 #include "game/ui/shared/layout.hpp"
 #include "puzzle/session/session.hpp"
 
@@ -15,16 +16,6 @@ namespace trembler::ui {
 class AskedTwice;
 class Celebration;
 class LevelText;
-class PlacingTool;
-class RunControl;
-
-/// Widths in pixels at UI scale 1; the other cards stay clear of these.
-inline constexpr float goalCardWidth = 316;
-inline constexpr float toolboxWidth = 236;
-inline constexpr float cardGap = 16;
-inline constexpr float bottomRow = 74;    ///< height of the cards at the bottom
-inline constexpr float cornerRow = 74;    ///< height of the buttons in the top right corner
-inline constexpr float roomyWidth = 1200; ///< of a window in which wide cards stand beside the others
 
 struct GoalCardLook {
     LevelText const* said = nullptr; ///< nullptr: as the level's file says it
@@ -44,6 +35,18 @@ struct SuccessLook {
     bool last = false;          ///< every puzzle is solved now
 };
 
+struct TransportLook {
+    bool building = true; ///< the large button starts a run; otherwise it stops the one that is on
+    double speed = 1;     ///< times real time
+    bool late = false;    ///< the computer does not reach that speed
+};
+
+/// The part that the player carries to its place.
+struct CarriedPart {
+    std::string part;
+    bool isNew = false; ///< it comes from the toolbox, whose count still includes it
+};
+
 // Each function draws its card between Gui::beginFrame and endFrame. Commands that the player asks for are
 // recorded in `buttons`.
 
@@ -51,7 +54,7 @@ struct SuccessLook {
 /// player asks why.
 std::optional<std::string> drawGoalCard(Layout& layout, Session const& session, GoalCardLook const& look,
                                         CommandButtons* buttons);
-void drawTransport(CommandButtons& buttons, RunControl const& run);
+void drawTransport(CommandButtons& buttons, TransportLook const& look);
 /// `mods`: the level has mods, and a button for them.
 void drawTools(CommandButtons& buttons, Session const& session, bool mods);
 /// `ran`: there is a run, and a button for its timeline.
@@ -63,7 +66,7 @@ void drawSuccess(CommandButtons& buttons, Session const& session, Celebration co
 /// part is carried. `allBack`: whether all parts are to be put back;
 /// `laying`: wires are being laid.
 std::optional<std::string> drawToolbox(CommandButtons& buttons, Session const& session, PartCatalog& catalog,
-                                       PlacingTool const& placing, std::string const& hint,
+                                       std::optional<CarriedPart> const& carried, std::string const& hint,
                                        AskedTwice const& allBack, bool laying);
 
 } // namespace trembler::ui

@@ -1,5 +1,5 @@
+#include "game/ui/cards/celebration.hpp"
 #include "game/ui/cards/play_cards.hpp"
-#include "game/ui/play/run/celebration.hpp"
 #include "game/ui/shared/words.hpp"
 #include "render/draw/palette.hpp"
 #include "render/panels/theme.hpp"

@@ -1,5 +1,4 @@
 #include "game/ui/cards/play_cards.hpp"
-#include "game/ui/play/run/run_control.hpp"
 #include "game/ui/shared/words.hpp"
 #include "render/panels/theme.hpp"
 
@@ -49,25 +48,23 @@ void row(CommandButtons& buttons, std::initializer_list<char const*> ids) {
 
 } // namespace
 
-void drawTransport(CommandButtons& buttons, RunControl const& run) {
+void drawTransport(CommandButtons& buttons, TransportLook const& look) {
     Layout& layout = buttons.layout();
     BottomRow const bottom = bottomRowHere();
     layout.beginCard("transport", "", {.anchor = bottom.transport, .bare = true});
     // Every button keeps its place, so that none comes to lie under a mouse that clicks another one twice.
     row(buttons, {"undo", "redo", "step"});
     next();
-    buttons.big("run", {.item = run.building() ? "run" : "stop",
+    buttons.big("run", {.item = look.building ? "run" : "stop",
                         .look = ButtonLook::Primary,
                         .width = bottom.runWidth,
                         .withIcon = bottom.runIcon});
     next();
     row(buttons, {"pause", "slower"});
     next();
-    Speed const& speed = run.speed();
-    std::string const label = words::timesReal(speed.now());
-    bool const late = speed.onlyReached().has_value();
+    std::string const label = words::timesReal(look.speed);
     buttons.big("normal-speed", {.label = label.c_str(),
-                                 .look = late ? ButtonLook::Danger : ButtonLook::Quiet,
+                                 .look = look.late ? ButtonLook::Danger : ButtonLook::Quiet,
                                  .width = bottom.speedWidth,
                                  .withIcon = false});
     next();

@@ -1,7 +1,6 @@
 #include "game/ui/cards/play_cards.hpp"
-#include "game/ui/commands/asked_twice.hpp"
+#include "game/ui/shared/commands/asked_twice.hpp"
 #include "game/ui/shared/words.hpp"
-#include "game/ui/tools/placing_tool.hpp"
 #include "render/draw/palette.hpp"
 #include "render/panels/theme.hpp"
 #include "render/panels/toolbox_tile.hpp"
@@ -67,11 +66,9 @@ void drawAllBack(CommandButtons& buttons, AskedTwice const& allBack) {
 } // namespace
 
 std::optional<std::string> drawToolbox(CommandButtons& buttons, Session const& session, PartCatalog& catalog,
-                                       PlacingTool const& placing, std::string const& hint,
+                                       std::optional<CarriedPart> const& carried, std::string const& hint,
                                        AskedTwice const& allBack, bool laying) {
     Layout& layout = buttons.layout();
-    auto const& carried = placing.carried();
-    bool const carrying = carried && !carried->turning;
     std::optional<std::string> taken;
     auto const slots = session.toolbox();
     int const wires = session.level().wires;
@@ -105,9 +102,9 @@ std::optional<std::string> drawToolbox(CommandButtons& buttons, Session const& s
             ImGui::SetCursorPosX(left);
         }
         ToolboxSlot const& slot = slots[i];
-        bool const inHand = carrying && carried->landing.part == slot.part;
+        bool const inHand = carried && carried->part == slot.part;
         std::string const title = catalog.titleOf(slot.part);
-        int const rest = slot.left - (inHand && !carried->number ? 1 : 0); // that one is in the hand
+        int const rest = slot.left - (inHand && carried->isNew ? 1 : 0); // that one is in the hand
         auto const pixels = static_cast<int>(std::lround(scaled(side - 12)));
         TileUse const use = toolboxTile({.id = slot.part.c_str(),
                                          .name = title.c_str(),
@@ -119,7 +116,7 @@ std::optional<std::string> drawToolbox(CommandButtons& buttons, Session const& s
         if (use.taken) {
             taken = slot.part;
         }
-        if (use.hovered && !carrying) {
+        if (use.hovered && !carried) {
             tipFor(catalog, slot.part);
         }
     }
@@ -137,9 +134,9 @@ std::optional<std::string> drawToolbox(CommandButtons& buttons, Session const& s
             "wire",
             {.label = label.c_str(), .look = laying ? ButtonLook::Primary : ButtonLook::Quiet, .width = -1});
     }
-    smallCaption(carrying ? words::dropHere : hint.c_str());
+    smallCaption(carried ? words::dropHere : hint.c_str());
     drawAllBack(buttons, allBack);
-    if (carrying) {
+    if (carried) {
         drawWhereToDrop();
     }
     layout.endCard();

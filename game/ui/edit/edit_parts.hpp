@@ -9,9 +9,9 @@
 #include "game/ui/edit/tools/tool.hpp"
 #include "game/ui/edit/view/live_goals.hpp"
 #include "game/ui/play/play_screen.hpp"
+#include "game/ui/shared/camera_control.hpp"
 #include "game/ui/shared/screen.hpp"
 #include "game/ui/shared/ui_context.hpp"
-#include "game/ui/tools/camera_control.hpp"
 #include "puzzle/edit/commands/goals.hpp"
 #include "puzzle/edit/document/level_document.hpp"
 #include "puzzle/edit/inspect/inspector.hpp"
@@ -35,7 +35,7 @@ class LevelStudies;
 struct EditOptions {
     /// Without mods; not nullptr.
     std::shared_ptr<GameData const> data;
-    /// What a level that names mods is edited with, see GameOptions; may be empty.
+    /// The data for editing a level that names mods, see GameOptions; may be empty.
     std::function<std::shared_ptr<GameData const>(std::filesystem::path const&)> levelData{};
     /// Called with the new data when the designer has made a part: the game is to know it at once.
     std::function<void(std::shared_ptr<GameData const>)> partsMade{};
@@ -142,7 +142,7 @@ struct EditParts {
     /// Opens a file, or reports why it cannot be opened. A path that does not exist is a new level with that
     /// name.
     void openFile(std::filesystem::path const& path);
-    /// What a level file is edited with; reports if its mods cannot be loaded.
+    /// The data for editing a level file; reports if its mods cannot be loaded.
     [[nodiscard]] std::shared_ptr<GameData const> dataFor(std::filesystem::path const& path);
     void newLevel();
     /// Reads the parts again, the designer's own included: after one was made.

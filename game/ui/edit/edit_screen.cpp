@@ -1,8 +1,5 @@
 #include "game/ui/edit/edit_screen.hpp"
 
-#include "game/ui/cards/play_cards.hpp"
-#include "game/ui/commands/carry_out_keys.hpp"
-#include "game/ui/commands/key_bindings.hpp"
 #include "game/ui/edit/commands/edit_actions.hpp"
 #include "game/ui/edit/commands/edit_commands.hpp"
 #include "game/ui/edit/edit_words.hpp"
@@ -10,6 +7,9 @@
 #include "game/ui/edit/panels/side_panel.hpp"
 #include "game/ui/edit/study/level_studies.hpp"
 #include "game/ui/edit/view/edit_drawing.hpp"
+#include "game/ui/shared/card_sizes.hpp"
+#include "game/ui/shared/commands/carry_out_keys.hpp"
+#include "game/ui/shared/commands/key_bindings.hpp"
 #include "render/draw/palette.hpp"
 #include "render/panels/buttons.hpp"
 #include "render/panels/theme.hpp"

@@ -1,6 +1,6 @@
 #include "game/ui/headless/scene_painter.hpp"
 
-#include "game/ui/cards/play_cards.hpp"
+#include "game/ui/shared/card_sizes.hpp"
 #include "game/ui/shared/scene_words.hpp"
 #include "render/draw/palette.hpp"
 

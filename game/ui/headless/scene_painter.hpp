@@ -4,7 +4,7 @@
 #include "game/ui/headless/screenshot.hpp"
 #include "game/ui/play/view/goal_areas.hpp"
 #include "game/ui/play/view/spark_view.hpp"
-#include "game/ui/tools/camera_control.hpp"
+#include "game/ui/shared/camera_control.hpp"
 #include "render/panels/gui.hpp"
 
 namespace trembler::ui {

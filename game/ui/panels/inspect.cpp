@@ -4,6 +4,7 @@
 #include "audio/effect/properties/sounds.hpp"
 #include "game/ui/panels/inspector.hpp"
 #include "game/ui/panels/script_rows.hpp"
+#include "game/ui/shared/readable_number.hpp"
 #include "game/ui/shared/words.hpp"
 #include "physics/dynamics/properties/body.hpp"
 #include "physics/dynamics/properties/contacts.hpp"
@@ -253,25 +254,6 @@ InspectorSection situation(World const& world, ObjectId object) {
 }
 
 } // namespace
-
-std::string readable(double value) {
-    double const size = std::abs(value);
-    if (size < 1e-9) {
-        return "0";
-    }
-    if (size >= 1e7 || size < 1e-3) {
-        return fmt::format(numberLocale(), "{:.3Lg}", value);
-    }
-    std::string text =
-        fmt::format("{:.{}f}", value, size >= 1000 ? 0 : (size >= 100 ? 1 : (size >= 10 ? 2 : 3)));
-    if (text.find('.') != std::string::npos) {
-        text.erase(text.find_last_not_of('0') + 1);
-        if (text.back() == '.') {
-            text.pop_back();
-        }
-    }
-    return text == "-0" ? "0" : localNumber(text);
-}
 
 std::vector<InspectorSection> inspect(World const& world, ObjectId object, lua::LiveScripts const* scripts) {
     std::vector<InspectorSection> sections;

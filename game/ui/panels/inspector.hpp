@@ -37,10 +37,6 @@ struct InspectorSection {
 [[nodiscard]] std::vector<InspectorSection> inspect(World const& world, ObjectId object,
                                                     lua::LiveScripts const* scripts = nullptr);
 
-/// A number for people: about four digits; from 1e7 and below 1e-3 three digits with an exponent; "0" below
-/// 1e-9.
-[[nodiscard]] std::string readable(double value);
-
 /// The inspector's card. Follows an object through all runs of its session (LastingObject), whatever its
 /// name.
 class Inspector {
@@ -51,10 +47,10 @@ public:
     /// The scripts of the level's mods; they must outlive it. nullptr: it has none.
     void setScripts(lua::LiveScripts const* scripts) { scripts_ = scripts; }
     [[nodiscard]] bool open() const { return subject_.has_value(); }
-    /// What is shown, in the session's world as it is now; an invalid id if the card is closed or the object
-    /// is not there.
+    /// The object that is shown, in the session's world as it is now; an invalid id if the card is closed or
+    /// the object is not there.
     [[nodiscard]] ObjectId object(Session const& session) const;
-    /// What it is called, or was last called, while the card is open.
+    /// The name that it has, or had last, while the card is open.
     [[nodiscard]] std::string const& name() const { return name_; }
 
     /// Call between Gui::beginFrame and endFrame. `top`, the distance from the window's top, and the maximum

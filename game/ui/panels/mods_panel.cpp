@@ -1,8 +1,8 @@
 #include "game/ui/panels/mods_panel.hpp"
 
 #include "game/ui/panels/notation_card.hpp"
-#include "game/ui/panels/parameter_widgets.hpp"
 #include "game/ui/panels/time_bar.hpp"
+#include "game/ui/shared/parameter_widgets.hpp"
 #include "game/ui/shared/words.hpp"
 #include "render/draw/palette.hpp"
 #include "render/panels/cards.hpp"

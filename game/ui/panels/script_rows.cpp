@@ -1,6 +1,6 @@
 #include "game/ui/panels/script_rows.hpp"
 
-#include "game/ui/panels/parameter_widgets.hpp"
+#include "game/ui/shared/parameter_widgets.hpp"
 #include "lua/attach/parameter_value.hpp"
 
 namespace trembler::ui {

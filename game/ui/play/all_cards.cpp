@@ -176,6 +176,14 @@ void drawPast(PlayParts& parts, CommandButtons& buttons, float bottom) {
     }
 }
 
+std::optional<CarriedPart> carriedPart(PlayParts const& parts) {
+    auto const& carried = parts.placing.carried();
+    if (!carried || carried->turning) { // a part that turns stays where it is
+        return {};
+    }
+    return CarriedPart{carried->landing.part, !carried->number};
+}
+
 SuccessLook successLook(PlayParts const& parts, bool narrow) {
     SuccessLook look{.narrow = narrow, .confetti = !parts.context.profile.settings().reducedMotion};
     if (!parts.celebration.showing()) {
@@ -224,12 +232,15 @@ std::optional<std::size_t> drawPlayCards(PlayParts& parts, CommandSet const& com
     if (beside.toolbox) {
         std::string const hint =
             words::toolboxHint(keyOf(context.keys, "turn-left"), keyOf(context.keys, "turn-right"));
-        if (auto const part = drawToolbox(buttons, session, parts.catalog(), parts.placing, hint,
+        if (auto const part = drawToolbox(buttons, session, parts.catalog(), carriedPart(parts), hint,
                                           parts.allBack, parts.wires.laying())) {
             takeFromToolbox(parts, *part);
         }
     }
-    drawTransport(buttons, parts.run);
+    Speed const& speed = parts.run.speed();
+    drawTransport(
+        buttons,
+        {.building = parts.run.building(), .speed = speed.now(), .late = speed.onlyReached().has_value()});
     drawTools(buttons, session, parts.hasMods());
     float const bottom = bottomRow + (parts.timeline.shown() ? parts.timeline.height() : 0);
     drawPast(parts, buttons, bottom);

@@ -1,11 +1,11 @@
 #include "game/ui/play/play_screen.hpp"
 
-#include "game/ui/commands/carry_out_keys.hpp"
 #include "game/ui/play/all_cards.hpp"
 #include "game/ui/play/commands/play_commands.hpp"
 #include "game/ui/play/field_drawing.hpp"
 #include "game/ui/play/lesson/lesson_drawing.hpp"
 #include "game/ui/play/whatif/what_if_card.hpp"
+#include "game/ui/shared/commands/carry_out_keys.hpp"
 #include "game/ui/shared/texts.hpp"
 #include "game/ui/shared/words.hpp"
 #include "render/window/gamepad.hpp"

@@ -2,7 +2,7 @@
 // depend on its type.
 #pragma once
 
-#include "game/ui/commands/key_help.hpp"
+#include "game/ui/shared/commands/key_help.hpp"
 
 #include <cstdint>
 #include <filesystem>

@@ -1,17 +1,17 @@
 // The objects that every screen of the program uses.
 #pragma once
 
-#include "game/ui/commands/key_bindings.hpp"
-#include "game/ui/letters/screen_keyboard.hpp"
 #include "game/ui/shared/catalog/kind_finder.hpp"
 #include "game/ui/shared/catalog/level_catalog.hpp"
 #include "game/ui/shared/catalog/level_pictures.hpp"
 #include "game/ui/shared/catalog/part_catalog.hpp"
+#include "game/ui/shared/commands/key_bindings.hpp"
 #include "game/ui/shared/focus.hpp"
+#include "game/ui/shared/kept/profile.hpp"
+#include "game/ui/shared/kept/recorder.hpp"
+#include "game/ui/shared/kept/saved_solutions.hpp"
 #include "game/ui/shared/layout.hpp"
-#include "game/ui/shared/profile.hpp"
-#include "game/ui/shared/recorder.hpp"
-#include "game/ui/shared/saved_solutions.hpp"
+#include "game/ui/shared/letters/screen_keyboard.hpp"
 #include "puzzle/campaign/kept_builds.hpp"
 #include "render/panels/gui.hpp"
 #include "render/panels/toasts.hpp"

@@ -42,7 +42,7 @@ struct CountedSource {
     static constexpr std::string_view numbersName = "__numbers";
 };
 
-/// What is wrong with the order of a text's blocks, and in which line.
+/// The fault in the order of a text's blocks, and its line.
 struct BlockFault {
     std::size_t line = 0;
     std::string message;

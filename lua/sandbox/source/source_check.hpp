@@ -9,7 +9,7 @@
 
 namespace trembler::lua {
 
-/// What is wrong with a script's text, and in which line.
+/// The fault of a script's text, and its line.
 struct SourceFault {
     std::size_t line = 0; ///< from 1; 0: the text as a whole
     std::string message;

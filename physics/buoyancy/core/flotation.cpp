@@ -1,8 +1,8 @@
 #include "physics/buoyancy/core/flotation.hpp"
 
 #include "physics/depth.hpp"
-#include "physics/dynamics/properties/shape_order.hpp"
-#include "physics/dynamics/properties/shape_rules.hpp"
+#include "physics/dynamics/properties/shapes/shape_order.hpp"
+#include "physics/dynamics/properties/shapes/shape_rules.hpp"
 #include "runtime/property/for_each.hpp"
 
 #include <algorithm>

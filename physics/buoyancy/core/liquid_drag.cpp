@@ -2,7 +2,7 @@
 
 #include "physics/buoyancy/hulls/liquid_area.hpp"
 #include "physics/depth.hpp"
-#include "physics/dynamics/properties/mass_properties.hpp"
+#include "physics/dynamics/properties/shapes/mass_properties.hpp"
 
 #include <algorithm>
 #include <cmath>

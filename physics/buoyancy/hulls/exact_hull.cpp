@@ -1,7 +1,7 @@
 #include "physics/buoyancy/hulls/exact_hull.hpp"
 
 #include "physics/buoyancy/hulls/disc.hpp"
-#include "physics/dynamics/properties/shape_order.hpp"
+#include "physics/dynamics/properties/shapes/shape_order.hpp"
 
 #include <algorithm>
 

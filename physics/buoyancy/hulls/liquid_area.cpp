@@ -1,5 +1,7 @@
 #include "physics/buoyancy/hulls/liquid_area.hpp"
 
+#include "physics/dynamics/properties/shapes/corners.hpp"
+
 namespace trembler {
 namespace {
 
@@ -25,14 +27,9 @@ std::vector<Vec2> straightened(ShapePiece const& piece) {
     case ShapeForm::circle:
         addArc(corners, {}, piece.radius * equalAreaRadius(), 0, roundSides - 1);
         break;
-    case ShapeForm::box: {
-        double const w = piece.width / 2;
-        double const h = piece.height / 2;
-        corners = {{-w, -h}, {w, -h}, {w, h}, {-w, h}};
-        break;
-    }
+    case ShapeForm::box:
     case ShapeForm::polygon:
-        corners = piece.corners;
+        corners = straightCornersOf(piece);
         break;
     case ShapeForm::capsule: {
         double const half = piece.width / 2 - piece.radius;

@@ -4,7 +4,7 @@
 #include "physics/buoyancy/properties/liquid.hpp"
 #include "physics/buoyancy/properties/moments.hpp"
 #include "physics/dynamics/properties/body.hpp"
-#include "physics/dynamics/properties/shape_rules.hpp"
+#include "physics/dynamics/properties/shapes/shape_rules.hpp"
 #include "runtime/placement.hpp"
 
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 #include "physics/dynamics/core/bodies.hpp"
 
-#include "physics/dynamics/properties/shape_order.hpp"
-#include "physics/dynamics/properties/shape_rules.hpp"
+#include "physics/dynamics/properties/shapes/shape_order.hpp"
+#include "physics/dynamics/properties/shapes/shape_rules.hpp"
 
 #include <fmt/format.h>
 

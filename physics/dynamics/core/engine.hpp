@@ -7,8 +7,8 @@
 #include "physics/dynamics/properties/contacts.hpp"
 #include "physics/dynamics/properties/impacts.hpp"
 #include "physics/dynamics/properties/joint_anchors.hpp"
-#include "physics/dynamics/properties/mass_properties.hpp"
 #include "physics/dynamics/properties/settings.hpp"
+#include "physics/dynamics/properties/shapes/mass_properties.hpp"
 
 #include <cstdint>
 #include <limits>

@@ -1,7 +1,7 @@
 #include "physics/dynamics/interactions/from_player.hpp"
 
 #include "physics/dynamics/core/point_pull.hpp"
-#include "physics/dynamics/properties/mass_properties.hpp"
+#include "physics/dynamics/properties/shapes/mass_properties.hpp"
 
 #include <numbers>
 

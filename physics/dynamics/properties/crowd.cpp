@@ -2,8 +2,8 @@
 
 #include "physics/buoyancy/properties/liquid.hpp"
 #include "physics/dynamics/properties/body.hpp"
-#include "physics/dynamics/properties/overlap.hpp"
-#include "physics/dynamics/properties/shape_rules.hpp"
+#include "physics/dynamics/properties/shapes/overlap.hpp"
+#include "physics/dynamics/properties/shapes/shape_rules.hpp"
 #include "runtime/placement.hpp"
 
 #include <fmt/format.h>

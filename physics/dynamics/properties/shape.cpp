@@ -1,6 +1,6 @@
 #include "physics/dynamics/properties/shape.hpp"
 
-#include "physics/dynamics/properties/shape_order.hpp"
+#include "physics/dynamics/properties/shapes/shape_order.hpp"
 
 namespace trembler {
 

@@ -1,7 +1,7 @@
 #include "physics/dynamics/rules/completion.hpp"
 
-#include "physics/dynamics/properties/mass_properties.hpp"
-#include "physics/dynamics/properties/shape_rules.hpp"
+#include "physics/dynamics/properties/shapes/mass_properties.hpp"
+#include "physics/dynamics/properties/shapes/shape_rules.hpp"
 
 namespace trembler {
 

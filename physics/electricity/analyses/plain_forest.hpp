@@ -70,7 +70,7 @@ private:
     std::vector<Node> nodes_;
     std::vector<std::uint32_t> order_;              // nodes by place
     std::vector<std::vector<std::uint32_t>> table_; // [k][p]: highest of the 2^k places from p
-    std::vector<std::int32_t> paths_; // by node: paths that begin below it or in it, less those that end
+    std::vector<std::int32_t> paths_; // by node: paths that begin below it or in it, less the paths that end
     std::vector<std::uint8_t> live_;  // by block
 };
 

@@ -1,16 +1,13 @@
 #include "puzzle/edit/commands/arrange.hpp"
 
-#include "physics/dynamics/properties/overlap.hpp"
-#include "physics/dynamics/properties/shape_rules.hpp"
 #include "puzzle/edit/commands/editor_state.hpp"
 #include "puzzle/edit/commands/objects.hpp"
-#include "puzzle/edit/tree/entry_pieces.hpp"
+#include "puzzle/edit/tree/extent.hpp"
 #include "puzzle/edit/tree/motion.hpp"
 #include "puzzle/edit/tree/object_values.hpp"
 #include "puzzle/edit/tree/shape_change.hpp"
 #include "puzzle/edit/tree/tree_access.hpp"
 #include "runtime/level/property/field_outline.hpp"
-#include "runtime/placement.hpp"
 
 #include <fmt/format.h>
 
@@ -43,40 +40,6 @@ void mustBeFinite(Vec2 value) {
     if (!isFinite(value)) {
         throw CommandError("a number is too large");
     }
-}
-
-/// Around all objects that an entry becomes; nothing if none has a shape.
-std::optional<std::pair<Vec2, Vec2>> extentOfPieces(GameData const& data, Json const& entry) {
-    std::optional<std::pair<Vec2, Vec2>> all;
-    for (PropertySet const& piece : piecesOf(data, entry)) {
-        Shape const* const shape = piece.find<Shape>();
-        if (shape == nullptr || faultIn(*shape)) {
-            continue;
-        }
-        auto const* const position = piece.find<Position>();
-        auto const* const rotation = piece.find<Rotation>();
-        auto const [low, high] = extentOf(PlacedShape{*shape, position == nullptr ? Vec2{} : position->value,
-                                                      rotation == nullptr ? 0 : rotation->angle});
-        if (!all) {
-            all = {low, high};
-        }
-        all->first = {std::min(all->first.x, low.x), std::min(all->first.y, low.y)};
-        all->second = {std::max(all->second.x, high.x), std::max(all->second.y, high.y)};
-    }
-    return all;
-}
-
-/// The extent of one entry: lower left and upper right corner.
-std::pair<Vec2, Vec2> extentOfEntry(GameData const& data, Json const& entry) {
-    Vec2 const at = placeOf(entry);
-    if (isComposite(data, entry) || entry.contains("flipped")) {
-        return extentOfPieces(data, entry).value_or(std::pair(at, at));
-    }
-    auto const shape = shapeOf(data, entry);
-    if (!shape || faultIn(*shape)) {
-        return {at, at};
-    }
-    return extentOf(PlacedShape{*shape, at, radians(angleOf(entry))});
 }
 
 /// Objects that are aligned as one: the members of a group among those selected, or a single one.
@@ -113,8 +76,9 @@ Vec2 along(Axis axis, double way) {
     return axis == Axis::x ? Vec2{way, 0} : Vec2{0, way};
 }
 
-Command shifted(std::string name, Shifts shifts, Names names) {
-    return {std::move(name), [shifts = std::move(shifts)](Json& tree) { shiftObjects(tree, shifts); },
+Command shifted(GameData const& data, std::string name, Shifts shifts, Names names) {
+    return {std::move(name),
+            [&data, shifts = std::move(shifts)](Json& tree) { shiftObjects(data, tree, shifts); },
             std::move(names)};
 }
 
@@ -137,61 +101,23 @@ std::string_view wordsOf(Alignment alignment) {
 
 } // namespace
 
-std::optional<Box> extentOfObjects(GameData const& data, Json const& level, Names const& names) {
-    std::optional<std::pair<Vec2, Vec2>> all;
-    std::set<std::string> const wanted(names.begin(), names.end());
-    Json const* const list = findList(level, "objects");
-    if (list == nullptr) {
-        return {};
-    }
-    for (Json const& entry : *list) {
-        if (!wanted.contains(textOf(entry, "name"))) {
-            continue;
-        }
-        auto const [low, high] = extentOfEntry(data, entry);
-        if (!all) {
-            all = {low, high};
-            continue;
-        }
-        all->first = {std::min(all->first.x, low.x), std::min(all->first.y, low.y)};
-        all->second = {std::max(all->second.x, high.x), std::max(all->second.y, high.y)};
-    }
-    return all ? std::optional(Box{all->first, all->second - all->first}) : std::nullopt;
-}
-
-Command moveObjects(Json const& level, Names const& names, Vec2 by) {
+Command moveObjects(GameData const& data, Json const& level, Names const& names, Vec2 by) {
     mustBeFinite(by);
     Names const free = movable(level, names);
     Shifts shifts;
     for (std::string const& name : free) {
         shifts[name] = by;
     }
-    return shifted(fmt::format("Move {}", objectsInWords(free)), std::move(shifts), free);
+    return shifted(data, fmt::format("Move {}", objectsInWords(free)), std::move(shifts), free);
 }
 
-Command placeObject(Json const& level, std::string const& name, Vec2 at, double angleDegrees) {
-    mustBeFinite(at);
-    Names const free = movable(level, {name});
-    return {fmt::format("Place {}", name),
-            [name, at, angleDegrees](Json& tree) {
-                Json& entry = objectEntry(tree, name);
-                Vec2 const from = placeOf(entry);
-                double const turn = radians(angleDegrees - angleOf(entry));
-                setPlace(entry, at);
-                setAngle(entry, angleDegrees);
-                moveJoints(tree, {name},
-                           {[=](Vec2 point) { return at + rotated(point - from, turn); },
-                            [=](Vec2 way) { return rotated(way, turn); }});
-            },
-            free};
-}
-
-Command rotateObjects(Json const& level, Names const& names, double degreesToTurn, Vec2 centre) {
+Command rotateObjects(GameData const& data, Json const& level, Names const& names, double degreesToTurn,
+                      Vec2 centre) {
     mustBeFinite(centre);
     mustBeFinite({degreesToTurn, 0});
     Names const free = movable(level, names);
     return {fmt::format("Rotate {}", objectsInWords(free)),
-            [free, degreesToTurn, centre](Json& tree) {
+            [&data, free, degreesToTurn, centre](Json& tree) {
                 double const turn = radians(degreesToTurn);
                 Motion const motion{[=](Vec2 point) { return centre + rotated(point - centre, turn); },
                                     [=](Vec2 way) { return rotated(way, turn); }};
@@ -201,7 +127,7 @@ Command rotateObjects(Json const& level, Names const& names, double degreesToTur
                     setPlace(entry, motion.point(placeOf(entry)));
                     setAngle(entry, angleOf(entry) + degreesToTurn);
                 }
-                moveJoints(tree, {free.begin(), free.end()}, motion);
+                moveJoints(data, tree, {free.begin(), free.end()}, motion);
             },
             free};
 }
@@ -226,7 +152,7 @@ Command scaleObjects(GameData const& data, Json const& level, Names const& names
                     scaleEntry(data, entry, factors);
                     setPlace(entry, motion.point(placeOf(entry)));
                 }
-                moveJoints(tree, {free.begin(), free.end()}, motion);
+                moveJoints(data, tree, {free.begin(), free.end()}, motion);
             },
             free};
 }
@@ -268,7 +194,7 @@ Command mirrorObjects(GameData const& data, Json const& level, Names const& name
                     setPlace(entry, motion.point(placeOf(entry)));
                     mirrorEntry(data, entry, atVertical);
                 }
-                moveJoints(tree, {free.begin(), free.end()}, motion);
+                moveJoints(data, tree, {free.begin(), free.end()}, motion);
             },
             free};
 }
@@ -296,8 +222,8 @@ Command alignObjects(GameData const& data, Json const& level, Names const& names
             shifts[name] = along(axis, way);
         }
     }
-    return shifted(fmt::format("Align {} of {}", wordsOf(alignment), objectsInWords(free)), std::move(shifts),
-                   free);
+    return shifted(data, fmt::format("Align {} of {}", wordsOf(alignment), objectsInWords(free)),
+                   std::move(shifts), free);
 }
 
 Command distributeObjects(GameData const& data, Json const& level, Names const& names, Axis axis) {
@@ -321,7 +247,7 @@ Command distributeObjects(GameData const& data, Json const& level, Names const& 
         }
         next += units[i].size(axis) + gap;
     }
-    return shifted(fmt::format("Distribute {}", objectsInWords(free)), std::move(shifts), free);
+    return shifted(data, fmt::format("Distribute {}", objectsInWords(free)), std::move(shifts), free);
 }
 
 } // namespace trembler::edit

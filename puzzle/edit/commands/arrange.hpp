@@ -18,12 +18,11 @@ namespace trembler::edit {
 // end at the wall stays, unless the object is mirrored. Lengths are m. Results are rounded to a nanometre and
 // a millionth of a degree, so that files have no rounding errors.
 
-[[nodiscard]] Command moveObjects(Json const& level, std::vector<std::string> const& names, Vec2 by);
-/// Moves and turns one object to a place; its joints go with it.
-[[nodiscard]] Command placeObject(Json const& level, std::string const& name, Vec2 at, double angleDegrees);
+[[nodiscard]] Command moveObjects(GameData const& data, Json const& level,
+                                  std::vector<std::string> const& names, Vec2 by);
 /// Turns objects anticlockwise around `centre`.
-[[nodiscard]] Command rotateObjects(Json const& level, std::vector<std::string> const& names, double degrees,
-                                    Vec2 centre);
+[[nodiscard]] Command rotateObjects(GameData const& data, Json const& level,
+                                    std::vector<std::string> const& names, double degrees, Vec2 centre);
 /// Scales objects, their distances from `centre` included; both factors must be above zero. Shapes of the
 /// objects' parts are overridden. Discs, capsules, and turned pieces cannot be scaled by different factors
 /// along x and y: the command is then refused, as is one that leaves the range of a measure. An object
@@ -53,10 +52,5 @@ enum class Axis { x, y };
 /// three.
 [[nodiscard]] Command distributeObjects(GameData const& data, Json const& level,
                                         std::vector<std::string> const& names, Axis axis);
-
-/// The smallest upright box around the shapes of objects, m. An object without a shape counts as the point
-/// where it is. Nothing for an empty list or unknown names.
-[[nodiscard]] std::optional<Box> extentOfObjects(GameData const& data, Json const& level,
-                                                 std::vector<std::string> const& names);
 
 } // namespace trembler::edit

@@ -61,9 +61,9 @@ bool isTaken(Json const& level, Json const& objects, Vec2 by) {
 
 } // namespace
 
-std::string copiedText(Json const& level, std::vector<std::string> const& names) {
+std::string copiedText(GameData const& data, Json const& level, std::vector<std::string> const& names) {
     Json copied{{"trembler", "objects"}, {"version", levelVersion}};
-    Json const subset = subsetOf(level, names);
+    Json const subset = subsetOf(data, level, names);
     for (auto const& [key, list] : subset.items()) {
         copied[key] = list;
     }
@@ -93,8 +93,8 @@ Command pasteText(GameData const& data, Json const& level, std::string const& te
             made};
 }
 
-Command cutObjects(Json const& level, std::vector<std::string> const& names) {
-    Command cut = removeObjects(level, names);
+Command cutObjects(GameData const& data, Json const& level, std::vector<std::string> const& names) {
+    Command cut = removeObjects(data, level, names);
     cut.name.replace(0, std::string_view("Remove").size(), "Cut");
     return cut;
 }

@@ -14,7 +14,8 @@ namespace trembler::edit {
 /// A text for the clipboard: JSON with the objects, the joints and connections among them, and their groups:
 ///     {"trembler": "objects", "version": 2, "objects": [...], "joints": [...], "connections": [...]}
 /// Throws CommandError if an object does not exist.
-[[nodiscard]] std::string copiedText(Json const& level, std::vector<std::string> const& names);
+[[nodiscard]] std::string copiedText(GameData const& data, Json const& level,
+                                     std::vector<std::string> const& names);
 /// Whether a text from the clipboard can be pasted.
 [[nodiscard]] bool canPaste(std::string const& text);
 /// Adds what copiedText() made, from this level or another. Names that are taken get a number, and references
@@ -24,6 +25,7 @@ namespace trembler::edit {
 [[nodiscard]] Command pasteText(GameData const& data, Json const& level, std::string const& text,
                                 std::optional<Vec2> at = {});
 /// Removes the objects, under the name "Cut ...". The caller has put copiedText() onto the clipboard.
-[[nodiscard]] Command cutObjects(Json const& level, std::vector<std::string> const& names);
+[[nodiscard]] Command cutObjects(GameData const& data, Json const& level,
+                                 std::vector<std::string> const& names);
 
 } // namespace trembler::edit

@@ -129,7 +129,7 @@ Command addJoint(GameData const& data, Json const& level, std::string const& for
             [joint](Json& tree) { listIn(tree, "joints").push_back(joint); }};
 }
 
-Command removeJoints(Json const& level, std::vector<std::size_t> const& joints) {
+Command removeJoints(GameData const& data, Json const& level, std::vector<std::size_t> const& joints) {
     if (joints.empty()) {
         throw CommandError("no joint is selected");
     }
@@ -137,7 +137,8 @@ Command removeJoints(Json const& level, std::vector<std::size_t> const& joints) 
         mustHaveEntry(level, "joints", joint, "joint");
     }
     std::set<std::size_t> const gone(joints.begin(), joints.end());
-    return {fmt::format("Remove {}", countInWords(gone.size(), "joint", "{} joints")), [gone](Json& tree) {
+    return {fmt::format("Remove {}", countInWords(gone.size(), "joint", "{} joints")),
+            [&data, gone](Json& tree) {
                 mustHaveEntry(tree, "joints", *gone.rbegin(), "joint");
                 std::vector<std::string> names;
                 Json kept = Json::array();
@@ -151,7 +152,7 @@ Command removeJoints(Json const& level, std::vector<std::size_t> const& joints) 
                 }
                 list = std::move(kept);
                 dropIfEmpty(tree, "joints");
-                removeEntries(tree, names); // the gears that refer to them
+                removeEntries(data, tree, names); // the gears that refer to them
             }};
 }
 

@@ -37,7 +37,8 @@ struct ConnectionEntry {
 [[nodiscard]] Command addJoint(GameData const& data, Json const& level, std::string const& form,
                                std::string const& a, std::string const& b, Vec2 at, Vec2 atB);
 /// Removes joints by their indices. Gears that refer to them are removed as well.
-[[nodiscard]] Command removeJoints(Json const& level, std::vector<std::size_t> const& joints);
+[[nodiscard]] Command removeJoints(GameData const& data, Json const& level,
+                                   std::vector<std::size_t> const& joints);
 /// Moves the point `field` ("at", "at_b", "ground_a", "ground_b") of a joint, m.
 [[nodiscard]] Command moveJointPoint(Json const& level, std::size_t joint, std::string const& field, Vec2 to);
 

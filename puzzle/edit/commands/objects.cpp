@@ -95,9 +95,9 @@ Command addObject(Json const& level, NewObject const& object) {
             {name}};
 }
 
-void removeEntries(Json& level, std::vector<std::string> const& names) {
+void removeEntries(GameData const& data, Json& level, std::vector<std::string> const& names) {
     NameSet gone = setOf(names);
-    ReferenceOwners const owners(level); // of the level with the objects that go
+    ReferenceOwners const owners(data, level); // of the level with the objects that go
     removeFrom(level, "objects", [&](Json const& entry) { return gone.contains(textOf(entry, "name")); });
     // A gear refers to joints: what refers to a removed joint goes as well.
     for (std::size_t before = 0; before != gone.size();) {
@@ -118,19 +118,19 @@ void removeEntries(Json& level, std::vector<std::string> const& names) {
     tidyEditorState(level);
 }
 
-Command removeObjects(Json const& level, std::vector<std::string> const& names) {
+Command removeObjects(GameData const& data, Json const& level, std::vector<std::string> const& names) {
     mustHaveObjects(level, names);
     std::vector<std::string> const free = unlocked(level, names);
     if (free.empty()) {
         throw CommandError(names.size() == 1 ? "the object is locked" : "the objects are locked");
     }
     return {fmt::format("Remove {}", objectsInWords(free)),
-            [free](Json& tree) { removeEntries(tree, free); }};
+            [&data, free](Json& tree) { removeEntries(data, tree, free); }};
 }
 
 Command duplicateObjects(GameData const& data, Json const& level, std::vector<std::string> const& names,
                          Vec2 offset) {
-    Json copies = subsetOf(level, names);
+    Json copies = subsetOf(data, level, names);
     std::vector<std::string> const made = makeUnique(data, copies, level);
     shiftSubset(copies, offset);
     return {fmt::format("Duplicate {}", objectsInWords(names)),
@@ -207,21 +207,6 @@ Command setFlipped(Json const& level, std::vector<std::string> const& names, boo
                 }
             },
             names};
-}
-
-Command reorderObject(Json const& level, std::string const& name, std::size_t to) {
-    mustHaveObjects(level, {name});
-    mustHaveEntry(level, "objects", to, "object");
-    return {fmt::format("Move {} in the file", name),
-            [name, to](Json& tree) {
-                Json const& list = listIn(tree, "objects");
-                std::size_t from = 0;
-                while (from < list.size() && textOf(list[from], "name") != name) {
-                    ++from;
-                }
-                moveEntry(tree, "objects", from, to);
-            },
-            {name}};
 }
 
 } // namespace trembler::edit

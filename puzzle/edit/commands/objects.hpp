@@ -34,7 +34,8 @@ struct NewObject {
 /// the editor keeps about them. Goals and recorded solutions that refer to them stay as they are, and become
 /// problems: only the author knows what they should say now. Locked objects stay; throws CommandError if all
 /// are locked, or one does not exist.
-[[nodiscard]] Command removeObjects(Json const& level, std::vector<std::string> const& names);
+[[nodiscard]] Command removeObjects(GameData const& data, Json const& level,
+                                    std::vector<std::string> const& names);
 /// Adds copies, `offset` away (m), with the joints and connections among the objects. The copies of a group
 /// are a group.
 [[nodiscard]] Command duplicateObjects(GameData const& data, Json const& level,
@@ -52,7 +53,5 @@ struct NewObject {
                               std::string const& part);
 /// Whether objects are mirrored about their own vertical axes, before they are turned.
 [[nodiscard]] Command setFlipped(Json const& level, std::vector<std::string> const& names, bool flipped);
-/// Moves an object's entry to another place in the file. The order of entries means nothing to the world.
-[[nodiscard]] Command reorderObject(Json const& level, std::string const& name, std::size_t to);
 
 } // namespace trembler::edit

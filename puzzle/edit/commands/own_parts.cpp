@@ -68,7 +68,7 @@ Json partFrom(GameData const& data, Json const& level, std::vector<std::string> 
         part["properties"] = allProperties(data, *findObject(level, main));
         return part;
     }
-    Json subset = subsetOf(level, names);
+    Json subset = subsetOf(data, level, names);
     shiftSubset(subset, -placeOf(*findObject(level, main)));
     part["main"] = main;
     for (char const* const key : {"objects", "joints", "connections"}) {
@@ -102,9 +102,9 @@ Command replaceByPart(GameData const& data, Json const& level, std::vector<std::
     }
     bool const ofPieces = names.size() > 1 || isComposite(data, *findObject(level, main));
     return {fmt::format("Replace {} by {}", objectsInWords(names), part),
-            [names, main, part, ofPieces](Json& tree) {
+            [&data, names, main, part, ofPieces](Json& tree) {
                 // What holds only among the objects is in the part now.
-                Json const inside = subsetOf(tree, names);
+                Json const inside = subsetOf(data, tree, names);
                 for (char const* const key : {"joints", "connections"}) {
                     if (!inside.contains(key)) {
                         continue;
@@ -121,7 +121,7 @@ Command replaceByPart(GameData const& data, Json const& level, std::vector<std::
                 std::vector<std::string> others;
                 std::copy_if(names.begin(), names.end(), std::back_inserter(others),
                              [&](std::string const& name) { return name != main; });
-                removeEntries(tree, others);
+                removeEntries(data, tree, others);
                 Json& entry = objectEntry(tree, main);
                 setObjectMember(entry, "part", part);
                 entry.erase("properties");

@@ -1,7 +1,7 @@
 #include "puzzle/edit/commands/shapes.hpp"
 
 #include "physics/dynamics/properties/shape.hpp"
-#include "physics/dynamics/properties/shape_rules.hpp"
+#include "physics/dynamics/properties/shapes/shape_rules.hpp"
 #include "puzzle/edit/tree/convex_pieces.hpp"
 #include "puzzle/edit/tree/tree_access.hpp"
 #include "runtime/level/property/property_writer.hpp"

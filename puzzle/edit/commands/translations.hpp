@@ -40,7 +40,7 @@ struct TranslatedText {
 [[nodiscard]] Command translateGoal(Json const& level, std::string const& language, std::string const& id,
                                     std::string const& text);
 
-// What changes in all languages when the level's own texts do; parts of other commands.
+// Changes in all languages that follow from a change of the level's own texts; parts of other commands.
 
 /// A hint of the level will be another one: where it keeps the place of a translation it is replaced.
 void translationsChangedHint(Json& level, std::size_t index, Json const& before, std::string const& hint);

@@ -22,7 +22,7 @@ public:
     using std::runtime_error::runtime_error;
 };
 
-/// What changes, and what it is called. The functions in puzzle/edit/commands/ make commands from the present
+/// A change and its name. The functions in puzzle/edit/commands/ make commands from the present
 /// tree of a document; they are to be run on that document before anything else is. A command whose change
 /// finds the tree otherwise than it expected throws CommandError.
 struct Command {

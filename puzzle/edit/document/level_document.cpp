@@ -138,9 +138,8 @@ void LevelDocument::convert() {
         version->get<std::uint64_t>() >= static_cast<std::uint64_t>(levelVersion)) {
         return;
     }
-    convertedFrom_ = version->get<int>();
     nlohmann::json current = json()->root();
-    migrate(current, *convertedFrom_);
+    migrate(current, version->get<int>());
     tree_ = orderedLike(tree_, current);
     tree_["version"] = levelVersion;
     text_.reset();

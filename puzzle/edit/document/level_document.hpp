@@ -63,8 +63,6 @@ public:
     [[nodiscard]] std::filesystem::path const& path() const { return path_; }
     /// For people: the file's path as GameData::shortName() has it, or "new level".
     [[nodiscard]] std::string name() const;
-    /// The version of the file before it was converted; nothing if it was a current one.
-    [[nodiscard]] std::optional<int> convertedFrom() const { return convertedFrom_; }
 
     // Read-only documents.
 
@@ -150,7 +148,6 @@ private:
     Json tree_;
     std::filesystem::path path_;
     std::optional<std::string> onDisk_;
-    std::optional<int> convertedFrom_;
     bool readOnly_ = false;
     std::vector<Diagnostic> faults_;
     std::vector<Step> steps_;

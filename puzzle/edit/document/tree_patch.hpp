@@ -14,7 +14,7 @@ namespace trembler::edit {
 class TreePatch {
 public:
     TreePatch() = default;
-    /// What leads from one tree to the other. Takes time in proportion to the trees, memory to the
+    /// The changes that lead from one tree to the other. Takes time in proportion to the trees, memory to the
     /// difference. Numbers that are equal and only spelt in another way, as 1 and 1.0, are no difference:
     /// `after` gets those of `before`, so that it is exactly what apply() makes.
     [[nodiscard]] static TreePatch between(Json const& before, Json& after);

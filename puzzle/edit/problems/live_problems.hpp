@@ -46,7 +46,7 @@ struct Problem {
     [[nodiscard]] std::string words() const;
 };
 
-/// What a diagnostic's path refers to in a level.
+/// The problem of a diagnostic, with the entry of the level that its path refers to.
 [[nodiscard]] Problem locateProblem(Json const& level, Diagnostic diagnostic);
 
 /// Keeps the problems of a document up to date: those of the level, then those of the author's own parts,

@@ -1,6 +1,6 @@
 #include "puzzle/edit/tree/convex_pieces.hpp"
 
-#include "physics/dynamics/properties/shape_rules.hpp"
+#include "physics/dynamics/properties/shapes/shape_rules.hpp"
 #include "puzzle/edit/document/command.hpp"
 
 #include <algorithm>

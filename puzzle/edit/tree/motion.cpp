@@ -96,26 +96,27 @@ std::map<std::string, std::string> formsOfJoints(Json const& level) {
 
 } // namespace
 
-void shiftObjects(Json& level, Shifts const& shifts) {
+void shiftObjects(GameData const& data, Json& level, Shifts const& shifts) {
     ObjectEntries const entries(level);
     for (auto const& [name, shift] : shifts) {
         Json& entry = entries.of(name);
         setPlace(entry, placeOf(entry) + shift);
     }
     if (findList(level, "joints") != nullptr) {
-        ReferenceOwners const owners(level);
+        ReferenceOwners const owners(data, level);
         for (Json& joint : level["joints"]) {
             shiftJointOf(joint, shifts, owners);
         }
     }
 }
 
-void moveJoints(Json& level, std::set<std::string> const& objects, Motion const& motion) {
+void moveJoints(GameData const& data, Json& level, std::set<std::string> const& objects,
+                Motion const& motion) {
     if (findList(level, "joints") == nullptr) {
         return;
     }
     std::map<std::string, std::string> const forms = formsOfJoints(level);
-    ReferenceOwners const owners(level);
+    ReferenceOwners const owners(data, level);
     for (Json& joint : level["joints"]) {
         if (!joint.is_object()) {
             continue;

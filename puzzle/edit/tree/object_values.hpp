@@ -17,13 +17,15 @@ namespace trembler::edit {
 /// in `why`, if that is given.
 [[nodiscard]] std::unique_ptr<PropertyValue> readValue(PropertyInfo const& info, Json const& json,
                                                        NameTable& names, std::string* why = nullptr);
-/// What an object states about a property, in its entry or under "properties"; nullptr if nothing. With a
-/// piece, what it states under "pieces" about that piece of a composite part.
+/// The statement of an object about a property, in its entry or under "properties"; nullptr if nothing. With
+/// a piece, what it states under "pieces" about that piece of a composite part.
 [[nodiscard]] Json const* ownStatement(Json const& entry, PropertyInfo const& info,
                                        std::string const& piece = {});
-/// What the object's part has, as a file would state it; null if it has no part, or that does not have it.
+/// The value of the property that the object's part has, as a file would state it; null if it has no part, or
+/// that does not have it.
 [[nodiscard]] Json partStatement(GameData const& data, Json const& entry, PropertyInfo const& info);
-/// What holds for the object: its own statement, else its part's; null if it does not have the property.
+/// The value that holds for the object: its own statement, else its part's; null if it does not have the
+/// property.
 [[nodiscard]] Json effectiveStatement(GameData const& data, Json const& entry, PropertyInfo const& info);
 /// The same for objects made from any part: of a composite, what holds for that piece, or, if it is "", for
 /// the main one.

@@ -33,11 +33,11 @@ public:
     /// The piece that a name means: its own, or that of the composite whose main piece it is. "" if the part
     /// has none of that name.
     [[nodiscard]] std::string pieceNamed(std::string const& part, std::string const& name);
-    /// What follows an object's name in the names of everything else that the object is: pieces, composites
-    /// among them, and joints.
+    /// The endings, after an object's name, of the names of everything else that the object is: pieces,
+    /// composites among them, and joints.
     [[nodiscard]] std::vector<std::string> const& namesInside(std::string const& part);
-    /// What the part has, as a file would state it; null if it does not have it. Of a composite: of that
-    /// piece, or, if it is "", of the main one.
+    /// The part's value of a property, as a file would state it; null if it does not have it. Of a composite:
+    /// of that piece, or, if it is "", of the main one.
     [[nodiscard]] Json of(std::string const& part, std::string const& piece, PropertyInfo const& info);
 
 private:

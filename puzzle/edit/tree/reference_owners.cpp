@@ -1,36 +1,35 @@
 #include "puzzle/edit/tree/reference_owners.hpp"
 
+#include "puzzle/edit/tree/part_statements.hpp"
 #include "puzzle/edit/tree/tree_access.hpp"
 
 namespace trembler::edit {
 
-ReferenceOwners::ReferenceOwners(Json const& level) {
+ReferenceOwners::ReferenceOwners(GameData const& data, Json const& level) {
     for (char const* const key : {"objects", "joints"}) {
         Json const* const list = findList(level, key);
         for (std::size_t i = 0; list != nullptr && i < list->size(); ++i) {
-            std::string name = textOf((*list)[i], "name");
-            if (name.empty()) {
-                continue;
+            if (std::string const name = textOf((*list)[i], "name"); !name.empty()) {
+                owners_.emplace(name, name);
             }
-            if (!textOf((*list)[i], "part").empty()) {
-                ofParts_.insert(name);
-            }
-            names_.insert(std::move(name));
+        }
+    }
+    PartStatements parts(data);
+    Json const* const objects = findList(level, "objects");
+    for (std::size_t i = 0; objects != nullptr && i < objects->size(); ++i) {
+        std::string const name = textOf((*objects)[i], "name");
+        if (name.empty()) {
+            continue;
+        }
+        for (std::string const& inside : parts.namesInside(textOf((*objects)[i], "part"))) {
+            owners_.emplace(name + " " + inside, name); // names of entries come first
         }
     }
 }
 
 std::string ReferenceOwners::of(std::string const& reference) const {
-    if (names_.contains(reference)) {
-        return reference;
-    }
-    for (std::size_t end = reference.rfind(' '); end != std::string::npos && end > 0;
-         end = reference.rfind(' ', end - 1)) {
-        if (std::string name = reference.substr(0, end); ofParts_.contains(name)) {
-            return name;
-        }
-    }
-    return reference;
+    auto const found = owners_.find(reference);
+    return found == owners_.end() ? reference : found->second;
 }
 
 } // namespace trembler::edit

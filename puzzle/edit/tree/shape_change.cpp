@@ -1,6 +1,6 @@
 #include "puzzle/edit/tree/shape_change.hpp"
 
-#include "physics/dynamics/properties/shape_rules.hpp"
+#include "physics/dynamics/properties/shapes/shape_rules.hpp"
 #include "puzzle/edit/tree/entry_pieces.hpp"
 #include "puzzle/edit/tree/object_values.hpp"
 #include "puzzle/edit/tree/tree_access.hpp"

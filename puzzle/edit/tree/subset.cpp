@@ -40,7 +40,7 @@ void shiftPoint(Json& entry, char const* key, Vec2 by) {
 
 } // namespace
 
-Json subsetOf(Json const& level, std::vector<std::string> const& names) {
+Json subsetOf(GameData const& data, Json const& level, std::vector<std::string> const& names) {
     mustHaveObjects(level, names);
     std::set<std::string> const wanted(names.begin(), names.end());
     std::set<std::string> known = wanted;
@@ -52,7 +52,7 @@ Json subsetOf(Json const& level, std::vector<std::string> const& names) {
         }
     }
     subset["objects"] = std::move(objects);
-    ReferenceOwners const owners(level);
+    ReferenceOwners const owners(data, level);
     Json const& joints = entriesOf(level, "joints");
     std::vector<bool> taken(joints.size(), false);
     for (bool more = true; more;) { // a gear is among them once its joints are

@@ -13,7 +13,7 @@ namespace trembler::edit {
 /// {"objects", "joints", "connections", "groups"}: the entries of the objects in the order of the file, the
 /// joints whose objects are all among them (gears also need their joints), the connections and groups among
 /// them. Lists that would be empty are left out. Throws CommandError if an object does not exist.
-[[nodiscard]] Json subsetOf(Json const& level, std::vector<std::string> const& names);
+[[nodiscard]] Json subsetOf(GameData const& data, Json const& level, std::vector<std::string> const& names);
 /// Renames the objects and joints of a subset so that none of their names is taken in the level; references
 /// follow. Returns the names of the objects.
 std::vector<std::string> makeUnique(GameData const& data, Json& subset, Json const& level);
@@ -25,6 +25,6 @@ void addSubset(Json& level, Json const& subset);
 /// the fixed points of pulleys if both are equal.
 void shiftJoint(Json& joint, Vec2 a, Vec2 b);
 /// Removes objects with all that refers to them: see removeObjects().
-void removeEntries(Json& level, std::vector<std::string> const& names);
+void removeEntries(GameData const& data, Json& level, std::vector<std::string> const& names);
 
 } // namespace trembler::edit

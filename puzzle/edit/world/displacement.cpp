@@ -1,6 +1,6 @@
 #include "puzzle/edit/world/displacement.hpp"
 
-#include "physics/dynamics/properties/shape_rules.hpp"
+#include "physics/dynamics/properties/shapes/shape_rules.hpp"
 #include "puzzle/edit/tree/object_values.hpp"
 #include "puzzle/edit/tree/tree_access.hpp"
 #include "runtime/level/property/field_outline.hpp"

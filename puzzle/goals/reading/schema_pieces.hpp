@@ -1,7 +1,7 @@
 // Pieces of JSON Schema for the schemas of conditions.
 #pragma once
 
-#include "runtime/level/write/schema_pieces.hpp"
+#include "runtime/level/json/schema_pieces.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -1,8 +1,8 @@
 // Geometry of shapes as drawing and picking need it: outlines, distances, extents, cuts.
 #pragma once
 
-#include "physics/dynamics/properties/mass_properties.hpp"
 #include "physics/dynamics/properties/shape.hpp"
+#include "physics/dynamics/properties/shapes/mass_properties.hpp"
 #include "render/draw/camera.hpp"
 #include "render/draw/geometry.hpp"
 

@@ -1,7 +1,9 @@
 #include "runtime/level/build/build_world.hpp"
 
+#include "runtime/level/build/check_toolbox.hpp"
 #include "runtime/level/build/joint_names.hpp"
 #include "runtime/level/build/lay_connections.hpp"
+#include "runtime/level/build/object_rules.hpp"
 #include "runtime/level/build/part_expander.hpp"
 #include "runtime/level/build/placed_pieces.hpp"
 #include "runtime/level/build/references.hpp"
@@ -28,13 +30,6 @@ struct Made {
     Origin origin;    ///< without the prototype
     ObjectId id{};
 };
-
-std::optional<std::string> faultOf(ObjectId id, std::span<ObjectFault const> ascending) {
-    auto const found =
-        std::lower_bound(ascending.begin(), ascending.end(), id,
-                         [](ObjectFault const& fault, ObjectId wanted) { return fault.object < wanted; });
-    return found != ascending.end() && found->object == id ? std::optional(found->text) : std::nullopt;
-}
 
 /// The indices 0 to count - 1, sorted.
 template <class Less>
@@ -97,17 +92,6 @@ public:
         }
     }
 
-    void checkToolbox() {
-        for (ToolboxEntry const& entry : level_.toolbox) {
-            if (library_.find(entry.part) == nullptr) {
-                problem(entry.path.empty() ? "" : entry.path + "/part",
-                        fmt::format("there is no part '{}'{}", entry.part,
-                                    didYouMean(entry.part, library_.names())),
-                        listed(library_.names()));
-            }
-        }
-    }
-
     void create(Store& store) {
         for (PartDefinition const* part : library_.all()) {
             numbers_.emplace(part, store.prototypes().add(part->prototype()));
@@ -136,32 +120,13 @@ public:
     }
 
     void checkRules(Store const& store) {
-        std::span<ObjectRule const> const rules = registry_.rules();
-        std::vector<std::vector<ObjectFault>> atOnce(rules.size());
-        for (std::size_t i = 0; i < rules.size(); ++i) {
-            if (rules[i].checkAll != nullptr && store.findColumn(*rules[i].property) != nullptr) {
-                atOnce[i] = rules[i].checkAll(store);
-            }
-        }
+        ObjectRules const rules(registry_, store);
         for (Made const& made : made_) {
-            if (!made.id.valid()) {
-                continue;
-            }
-            for (std::size_t i = 0; i < rules.size(); ++i) {
-                PropertyInfo const& property = *rules[i].property;
-                ColumnBase const* const column = store.findColumn(property);
-                if (column == nullptr || !column->has(made.id)) {
-                    continue;
-                }
-                std::optional<std::string> const broken = rules[i].checkAll != nullptr
-                                                              ? faultOf(made.id, atOnce[i])
-                                                              : rules[i].check(store, made.id);
-                if (broken) {
-                    addProblem(problems_, [&] {
-                        return propertyProblem(made, property, "",
-                                               fmt::format("{}: {}", made.object.name, *broken), "");
-                    });
-                }
+            for (BrokenRule const& broken : rules.brokenBy(made.id)) {
+                addProblem(problems_, [&] {
+                    return propertyProblem(made, *broken.property, "",
+                                           fmt::format("{}: {}", made.object.name, broken.fault), "");
+                });
             }
         }
     }
@@ -313,7 +278,7 @@ BuiltLevel buildLevel(Registry const& registry, LevelFile const& level, PartLibr
     builder.addJoints();
     builder.addPlacements(placements);
     builder.addWires(wires);
-    builder.checkToolbox();
+    checkToolbox(level, library, problems);
     for (auto const& [effect, detail] : level.detail) {
         options.detail.try_emplace(effect, detail);
     }

@@ -37,8 +37,8 @@ public:
 
     PartExpander(PartLibrary const& library, Complain complain);
 
-    /// What an entry becomes whose names refer to `scope`. `form` is that of its properties: entry or
-    /// placement.
+    /// The objects that an entry becomes whose names refer to `scope`. `form` is that of its properties:
+    /// entry or placement.
     [[nodiscard]] ExpandedEntry expand(LevelObject const& entry, StatementScope const& scope,
                                        StatedProperties::Form form = StatedProperties::Form::entry);
 

@@ -1,23 +1,12 @@
 #include "runtime/level/model/part_library.hpp"
 
-#include "runtime/level/property/property_reader.hpp"
-#include "runtime/level/read/read_pieces.hpp"
-#include "runtime/level/read/read_texts.hpp"
 #include "runtime/object/without.hpp"
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <system_error>
+#include <utility>
 
 namespace trembler {
-namespace {
-
-/// The look of a part is an ordinary property, but files state it next to the part's title.
-constexpr std::string_view lookKey = "look";
-
-} // namespace
-
 Prototype PartDefinition::prototype() const {
     Prototype made;
     made.name = name;
@@ -72,81 +61,6 @@ std::vector<std::string> PartLibrary::names() const {
         names.push_back(name);
     }
     return names;
-}
-
-PartDefinition readPart(Registry const& registry, std::shared_ptr<JsonDocument const> const& document) {
-    Problems problems;
-    PartDefinition part;
-    part.document = document;
-    MemberReader reader(
-        JsonNode(*document, document->root(), "", problems),
-        "a part: an object {\"name\", \"title\", \"text\", \"look\", \"properties\", \"objects\"}");
-    reader.know("$schema"); // for editors
-    if (reader.valid()) {
-        if (auto const name = reader.required("name", "a name that no other part has")) {
-            part.name = name->name("a name").value_or("");
-        }
-        part.title = part.name;
-        if (auto const title = reader.optional("title")) {
-            part.title = title->name("a title").value_or("");
-        }
-        if (auto const text = reader.optional("text")) {
-            part.text = text->text().value_or("");
-        }
-        if (auto const texts = reader.optional("texts")) {
-            part.texts = readTexts(*texts, TextsOf::part);
-        }
-        readPieces(reader, registry, part);
-        NameTable* const names =
-            part.composite() ? &part.names : nullptr; // one object has nobody to refer to
-        PropertyInfo const* const look = registry.objectProperty(lookKey);
-        if (look != nullptr) {
-            if (auto const node = reader.optional(std::string(lookKey))) {
-                readPropertyInto(part.properties, *look, *node, names);
-            }
-        }
-        if (auto const properties = reader.optional("properties")) {
-            readProperties(part.properties, registry, PropertyPlace::properties, *properties, names);
-            if (look != nullptr && reader.node().has(std::string(lookKey)) &&
-                properties->has(std::string(lookKey))) {
-                properties->complainAboutKey(std::string(lookKey), "is stated twice", "\"look\" once");
-            }
-        }
-        reader.finish();
-    }
-    problems.throwIfAny();
-    return part;
-}
-
-PartLibrary loadParts(Registry const& registry, std::filesystem::path const& folder) {
-    std::error_code error;
-    std::vector<std::filesystem::path> files;
-    for (auto at = std::filesystem::directory_iterator(folder, error);
-         !error && at != std::filesystem::directory_iterator(); at.increment(error)) {
-        if (at->path().extension() == ".json") {
-            files.push_back(at->path());
-        }
-    }
-    Problems problems;
-    if (error) {
-        Diagnostic problem;
-        problem.file = folder.string();
-        problem.message = fmt::format("the folder of parts cannot be read: {}", error.message());
-        problems.add(std::move(problem));
-    }
-    std::sort(files.begin(), files.end());
-    PartLibrary library;
-    for (std::filesystem::path const& file : files) {
-        try {
-            library.add(readPart(registry, JsonDocument::load(file)));
-        } catch (InputError const& bad) {
-            for (Diagnostic const& diagnostic : bad.diagnostics()) {
-                problems.add(diagnostic);
-            }
-        }
-    }
-    problems.throwIfAny();
-    return library;
 }
 
 } // namespace trembler

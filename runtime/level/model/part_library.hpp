@@ -8,7 +8,6 @@
 #include "runtime/level/property/property_set.hpp"
 #include "runtime/world/registry.hpp"
 
-#include <filesystem>
 #include <map>
 #include <memory>
 #include <span>
@@ -53,12 +52,5 @@ public:
 private:
     std::map<std::string, PartDefinition> parts_;
 };
-
-/// Reads one part definition. Throws InputError. Whether the parts of its pieces exist is checked by
-/// checkComposites().
-[[nodiscard]] PartDefinition readPart(Registry const& registry,
-                                      std::shared_ptr<JsonDocument const> const& document);
-/// Reads every *.json file of a folder. Throws InputError with the problems of all files.
-[[nodiscard]] PartLibrary loadParts(Registry const& registry, std::filesystem::path const& folder);
 
 } // namespace trembler

@@ -1,9 +1,9 @@
 #include "runtime/level/read/read_teaching.hpp"
 
 #include "runtime/level/json/limits.hpp"
+#include "runtime/level/json/schema_pieces.hpp"
 #include "runtime/level/property/field_outline.hpp"
 #include "runtime/level/read/read_area.hpp"
-#include "runtime/level/write/schema_pieces.hpp"
 
 #include <array>
 #include <optional>

@@ -1,7 +1,7 @@
 #include "runtime/level/read/read_texts.hpp"
 
 #include "runtime/level/json/limits.hpp"
-#include "runtime/level/write/schema_pieces.hpp"
+#include "runtime/level/json/schema_pieces.hpp"
 
 #include <fmt/format.h>
 

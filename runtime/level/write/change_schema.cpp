@@ -1,10 +1,10 @@
 #include "runtime/level/write/change_schema.hpp"
 
+#include "runtime/level/json/schema_pieces.hpp"
 #include "runtime/level/model/detail_levels.hpp"
 #include "runtime/level/model/recorded_change.hpp"
 #include "runtime/level/property/field_outline.hpp"
 #include "runtime/level/write/property_schema.hpp"
-#include "runtime/level/write/schema_pieces.hpp"
 
 #include <map>
 #include <utility>

@@ -1,8 +1,8 @@
 #include "runtime/level/write/property_schema.hpp"
 
+#include "runtime/level/json/schema_pieces.hpp"
 #include "runtime/level/property/field_outline.hpp"
 #include "runtime/level/property/property_reader.hpp"
-#include "runtime/level/write/schema_pieces.hpp"
 
 #include <fmt/format.h>
 

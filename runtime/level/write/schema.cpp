@@ -2,13 +2,13 @@
 
 #include "runtime/input/player_input.hpp"
 #include "runtime/level/json/limits.hpp"
+#include "runtime/level/json/schema_pieces.hpp"
 #include "runtime/level/model/level.hpp"
 #include "runtime/level/read/read_extensions.hpp"
 #include "runtime/level/read/read_teaching.hpp"
 #include "runtime/level/read/read_texts.hpp"
 #include "runtime/level/write/change_schema.hpp"
 #include "runtime/level/write/property_schema.hpp"
-#include "runtime/level/write/schema_pieces.hpp"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,6 @@
 #include "runtime/level/build/check_composites.hpp"
 #include "runtime/level/read/read_level.hpp"
+#include "runtime/level/read/read_part.hpp"
 #include "tests/fuzz/files/kit.hpp"
 #include "tests/fuzz/play.hpp"
 #include "tests/fuzz/targets.hpp"

@@ -1,6 +1,6 @@
 #include "game/ui/app/command_lists.hpp"
-#include "game/ui/commands/key_bindings.hpp"
-#include "game/ui/shared/profile.hpp"
+#include "game/ui/shared/commands/key_bindings.hpp"
+#include "game/ui/shared/kept/profile.hpp"
 #include "tests/fuzz/files/kit.hpp"
 #include "tests/fuzz/play.hpp"
 #include "tests/fuzz/targets.hpp"

@@ -131,18 +131,10 @@ TEST(LevelRuns, WithoutAnEffectItDoesNothing) {
     EXPECT_TRUE(runs.run({{}, {withoutEffect("buoyancy")}}, {.frames = 200}).solved);
 }
 
-TEST(LevelRuns, AnObjectGoesWithItsConnections) {
-    LevelRuns const runs(gameData(), levelOf(experiment1));
-    RunResult const result = runs.run({{}, {withoutObject("object 3")}}, {.frames = 200});
-    EXPECT_FALSE(result.fault) << *result.fault;
-    EXPECT_FALSE(result.solved);
-}
-
 TEST(LevelRuns, WhatCannotBeLeftOutIsAFaultInWords) {
     LevelRuns const runs(gameData(), levelOf(experiment1));
     for (LeftOut const& one :
-         {withoutPlacement(0), withoutInput(3), withoutObject("nobody"), withoutEffect("dynamics"),
-          withoutConnection(99), withoutObject("metal object")}) { // the goal is about it
+         {withoutPlacement(0), withoutWire(99), withoutInput(3), withoutEffect("dynamics")}) {
         RunResult const result = runs.run({{}, {one}}, {.frames = 10});
         ASSERT_TRUE(result.fault);
         EXPECT_FALSE(result.fault->empty());

@@ -1,6 +1,6 @@
 // The chains of causes of the thesis's experiments and of levels are the chains that their accounts name.
 #include "insight/why/words.hpp"
-#include "physics/dynamics/properties/overlap.hpp"
+#include "physics/dynamics/properties/shapes/overlap.hpp"
 #include "runtime/level/read/read_level.hpp"
 #include "runtime/placement.hpp"
 #include "tests/support/game_data.hpp"

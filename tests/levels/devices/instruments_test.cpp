@@ -1,5 +1,5 @@
 // Parts that show something: compass and metronome.
-#include "physics/dynamics/properties/mass_properties.hpp"
+#include "physics/dynamics/properties/shapes/mass_properties.hpp"
 #include "tests/levels/devices/device_bench.hpp"
 
 #include <cmath>

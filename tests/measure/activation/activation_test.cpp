@@ -9,6 +9,7 @@
 #include "puzzle/session/session.hpp"
 #include "runtime/level/build/build_world.hpp"
 #include "runtime/level/model/part_library.hpp"
+#include "runtime/level/read/read_part.hpp"
 #include "tests/support/experiment.hpp"
 
 #include <nlohmann/json.hpp>

@@ -94,7 +94,7 @@ Command anyCommand(LevelDocument const& document, std::function<int(int)> const&
         return addObject(level, {"", drawn.at, 0, Json{{"shape", drawn.shape}}, "drawn"});
     }
     case 2:
-        return removeObjects(level, some());
+        return removeObjects(data, level, some());
     case 3:
         return duplicateObjects(data, level, some(), point());
     case 4:
@@ -104,13 +104,13 @@ Command anyCommand(LevelDocument const& document, std::function<int(int)> const&
     case 6:
         return setPart(level, some(), kind({"", "crate"}));
     case 7:
-        return reorderObject(level, one(), index());
+        return moveObjects(data, level, all, point());
     case 8:
-        return moveObjects(level, some(), point());
+        return moveObjects(data, level, some(), point());
     case 9:
-        return placeObject(level, one(), point(), number());
+        return rotateObjects(data, level, {one()}, number(), point());
     case 10:
-        return rotateObjects(level, some(), number() * 10, point());
+        return rotateObjects(data, level, some(), number() * 10, point());
     case 11:
         return scaleObjects(data, level, some(), {1.5, 1.5}, point());
     case 12:
@@ -140,7 +140,7 @@ Command anyCommand(LevelDocument const& document, std::function<int(int)> const&
     case 24:
         return addJoint(data, level, kind({"hinge", "rope", "spring"}), end(), end(), point(), point());
     case 25:
-        return removeJoints(level, {index()});
+        return removeJoints(data, level, {index()});
     case 26:
         return addConnection(level, end(), end());
     case 27:
@@ -224,7 +224,7 @@ Command anyCommand(LevelDocument const& document, std::function<int(int)> const&
     case 60:
         return setFlipped(level, some(), next(2) == 0);
     default:
-        return pasteText(data, level, copiedText(level, some()), point());
+        return pasteText(data, level, copiedText(data, level, some()), point());
     }
 }
 

@@ -4,6 +4,7 @@
 #include "physics/dynamics/properties/shape.hpp"
 #include "physics/material.hpp"
 #include "runtime/frame/settings.hpp"
+#include "runtime/level/read/read_part.hpp"
 #include "runtime/placement.hpp"
 #include "runtime/population/population_resolver.hpp"
 

@@ -2,6 +2,7 @@
 #include "physics/dynamics/properties/body.hpp"
 #include "runtime/level/json/json_document.hpp"
 #include "runtime/level/model/part_library.hpp"
+#include "runtime/level/read/read_part.hpp"
 #include "tests/support/experiment.hpp"
 
 #include <string>

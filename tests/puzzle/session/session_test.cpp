@@ -1,5 +1,6 @@
 // A session: edits that cannot be built, overlapping parts, and the inputs of each run.
 #include "physics/buoyancy/properties/liquid.hpp"
+#include "runtime/level/read/read_part.hpp"
 #include "runtime/placement.hpp"
 #include "tests/support/experiment.hpp"
 

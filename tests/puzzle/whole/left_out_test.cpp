@@ -5,6 +5,7 @@
 #include "runtime/level/json/json_document.hpp"
 #include "runtime/level/model/part_library.hpp"
 #include "runtime/level/read/read_level.hpp"
+#include "runtime/level/read/read_part.hpp"
 #include "runtime/placement.hpp"
 #include "tests/support/experiment.hpp"
 

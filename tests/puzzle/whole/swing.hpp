@@ -1,6 +1,7 @@
 // A composite part for tests: a post with an arm that a motor swings within limits, and a slide beside them.
 #pragma once
 
+#include "runtime/level/read/read_part.hpp"
 #include "tests/support/experiment.hpp"
 
 #include <memory>

@@ -1,6 +1,7 @@
 #include "tests/runtime/level/sample_properties.hpp"
 
 #include "runtime/level/read/read_level.hpp"
+#include "runtime/level/read/read_part.hpp"
 #include "runtime/population/population_resolver.hpp"
 
 namespace trembler::sample {

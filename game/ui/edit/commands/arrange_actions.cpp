@@ -6,6 +6,7 @@
 #include "puzzle/edit/commands/editor_state.hpp"
 #include "puzzle/edit/commands/goals.hpp"
 #include "puzzle/edit/commands/objects.hpp"
+#include "puzzle/edit/tree/extent.hpp"
 
 #include <utility>
 
@@ -92,8 +93,9 @@ void move(EditParts& parts, Vec2 steps) {
     double const step =
         parts.context.shiftHeld() ? fineStep : (parts.snapping.on ? parts.snapping.grid : plainStep);
     parts.run([&](Json const& level) {
-        return parts.selected().empty() ? moveOtherThing(parts, level, step * steps)
-                                        : edit::moveObjects(level, parts.selected(), step * steps);
+        return parts.selected().empty()
+                   ? moveOtherThing(parts, level, step * steps)
+                   : edit::moveObjects(*parts.data, level, parts.selected(), step * steps);
     });
 }
 
@@ -102,7 +104,7 @@ void rotate(EditParts& parts, int steps) {
         parts.context.shiftHeld() ? 1 : (parts.snapping.on ? parts.snapping.angleDegrees : 15);
     Vec2 const centre = middleOfSelection(parts);
     parts.run([&](Json const& level) {
-        return edit::rotateObjects(level, parts.selected(), steps * degrees, centre);
+        return edit::rotateObjects(*parts.data, level, parts.selected(), steps * degrees, centre);
     });
 }
 

@@ -122,7 +122,7 @@ void redo(EditParts& parts) {
 
 void copy(EditParts& parts) {
     try {
-        std::string const text = edit::copiedText(parts.tree(), parts.selected());
+        std::string const text = edit::copiedText(*parts.data, parts.tree(), parts.selected());
         if (SDL_SetClipboardText(text.c_str()) != 0) {
             parts.tell(SDL_GetError(), ToastKind::Trouble);
         }
@@ -133,7 +133,7 @@ void copy(EditParts& parts) {
 
 void cut(EditParts& parts) {
     copy(parts);
-    parts.run([&](Json const& level) { return edit::cutObjects(level, parts.selected()); });
+    parts.run([&](Json const& level) { return edit::cutObjects(*parts.data, level, parts.selected()); });
 }
 
 void paste(EditParts& parts) {
@@ -158,14 +158,16 @@ void deleteSelected(EditParts& parts) {
         return;
     }
     if (hasSelection(parts)) {
-        parts.run([&](Json const& level) { return edit::removeObjects(level, parts.selected()); });
+        parts.run(
+            [&](Json const& level) { return edit::removeObjects(*parts.data, level, parts.selected()); });
         return;
     }
     std::string const path = parts.selection.path();
     bool done = false;
     switch (parts.selection.kind()) {
     case EntryKind::joint:
-        done = parts.run([&](Json const& level) { return edit::removeJoints(level, {indexAtEnd(path)}); });
+        done = parts.run(
+            [&](Json const& level) { return edit::removeJoints(*parts.data, level, {indexAtEnd(path)}); });
         break;
     case EntryKind::connection:
         done =

@@ -1,8 +1,8 @@
 // The sections of the editor's command table, each the contents of a menu.
 #pragma once
 
-#include "game/ui/commands/command.hpp"
 #include "game/ui/edit/edit_words.hpp"
+#include "game/ui/shared/commands/command.hpp"
 
 #include <array>
 #include <span>

@@ -1,9 +1,9 @@
 #include "game/ui/edit/commands/edit_commands.hpp"
 
-#include "game/ui/commands/common_commands.hpp"
 #include "game/ui/edit/commands/command_menus.hpp"
 #include "game/ui/edit/commands/edit_actions.hpp"
 #include "game/ui/edit/edit_parts.hpp"
+#include "game/ui/shared/commands/common_commands.hpp"
 #include "render/window/gamepad.hpp"
 
 #include <vector>

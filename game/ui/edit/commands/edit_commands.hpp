@@ -1,8 +1,8 @@
 // The table of the editor's commands.
 #pragma once
 
-#include "game/ui/commands/command.hpp"
-#include "game/ui/commands/key_help.hpp"
+#include "game/ui/shared/commands/command.hpp"
+#include "game/ui/shared/commands/key_help.hpp"
 
 #include <span>
 

@@ -1,8 +1,9 @@
 #include "game/ui/edit/goals/goal_fields.hpp"
 
 #include "game/ui/edit/edit_words.hpp"
-#include "game/ui/edit/panels/field_widgets.hpp"
-#include "game/ui/edit/panels/goal_words.hpp"
+#include "game/ui/edit/fields/field_widgets.hpp"
+#include "game/ui/edit/fields/page_elements.hpp"
+#include "game/ui/edit/goals/goal_words.hpp"
 #include "game/ui/edit/view/edit_geometry.hpp"
 #include "puzzle/edit/commands/contents.hpp"
 #include "puzzle/edit/commands/objects.hpp"

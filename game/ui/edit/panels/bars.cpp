@@ -1,9 +1,9 @@
 #include "game/ui/edit/panels/bars.hpp"
 
-#include "game/ui/commands/command_buttons.hpp"
 #include "game/ui/edit/commands/command_menus.hpp"
 #include "game/ui/edit/edit_words.hpp"
 #include "game/ui/edit/panels/tool_icons.hpp"
+#include "game/ui/shared/commands/command_buttons.hpp"
 #include "game/ui/shared/texts.hpp"
 #include "physics/dynamics/properties/joint.hpp"
 #include "render/draw/palette.hpp"

@@ -1,7 +1,7 @@
 // Finds any command by typing a part of its name.
 #pragma once
 
-#include "game/ui/commands/command.hpp"
+#include "game/ui/shared/commands/command.hpp"
 #include "game/ui/shared/ui_context.hpp"
 
 #include <optional>

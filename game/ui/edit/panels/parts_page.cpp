@@ -1,6 +1,6 @@
 #include "game/ui/edit/commands/edit_actions.hpp"
 #include "game/ui/edit/edit_words.hpp"
-#include "game/ui/edit/panels/field_widgets.hpp"
+#include "game/ui/edit/fields/field_widgets.hpp"
 #include "game/ui/edit/panels/side_panel.hpp"
 #include "game/ui/shared/words.hpp"
 #include "render/panels/cards.hpp"

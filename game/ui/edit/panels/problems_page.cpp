@@ -1,5 +1,5 @@
 #include "game/ui/edit/edit_words.hpp"
-#include "game/ui/edit/panels/field_widgets.hpp"
+#include "game/ui/edit/fields/field_widgets.hpp"
 #include "game/ui/edit/panels/side_panel.hpp"
 #include "game/ui/shared/shown_faults.hpp"
 #include "render/draw/palette.hpp"

@@ -1,10 +1,10 @@
 #include "game/ui/edit/panels/side_panel.hpp"
 
-#include "game/ui/commands/command_buttons.hpp"
 #include "game/ui/edit/edit_words.hpp"
 #include "game/ui/edit/panels/bars.hpp"
 #include "game/ui/edit/panels/tool_icons.hpp"
 #include "game/ui/edit/study/study_words.hpp"
+#include "game/ui/shared/commands/command_buttons.hpp"
 #include "render/draw/palette.hpp"
 #include "render/panels/theme.hpp"
 

@@ -1,6 +1,7 @@
 #include "game/ui/edit/commands/edit_actions.hpp"
 #include "game/ui/edit/edit_words.hpp"
-#include "game/ui/edit/panels/field_widgets.hpp"
+#include "game/ui/edit/fields/field_widgets.hpp"
+#include "game/ui/edit/fields/page_elements.hpp"
 #include "game/ui/edit/panels/side_panel.hpp"
 #include "puzzle/edit/commands/solutions.hpp"
 #include "render/panels/cards.hpp"

@@ -1,5 +1,5 @@
 #include "game/ui/edit/commands/edit_actions.hpp"
-#include "game/ui/edit/panels/field_widgets.hpp"
+#include "game/ui/edit/fields/page_elements.hpp"
 #include "game/ui/edit/panels/side_panel.hpp"
 #include "game/ui/edit/study/level_studies.hpp"
 #include "game/ui/edit/study/study_rows.hpp"

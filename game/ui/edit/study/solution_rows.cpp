@@ -1,7 +1,7 @@
 #include "game/ui/edit/study/solution_rows.hpp"
 
 #include "game/ui/edit/commands/edit_actions.hpp"
-#include "game/ui/edit/panels/field_widgets.hpp"
+#include "game/ui/edit/fields/page_elements.hpp"
 #include "game/ui/edit/study/chain_rows.hpp"
 #include "game/ui/edit/study/level_studies.hpp"
 #include "game/ui/edit/study/study_rows.hpp"

@@ -1,6 +1,6 @@
 #include "game/ui/edit/study/study_rows.hpp"
 
-#include "game/ui/edit/panels/field_widgets.hpp"
+#include "game/ui/edit/fields/page_elements.hpp"
 #include "game/ui/edit/study/study_words.hpp"
 #include "game/ui/shared/shown_faults.hpp"
 #include "render/draw/palette.hpp"

@@ -21,7 +21,7 @@ inline char const* const& countedText = editWord("{} of {}");
 inline char const* const& studyNeedsGoal =
     editWord("Without a goal nothing solves the level. Add one on the page Goals.");
 
-// What is being done, as insight says it.
+// The work in progress, as insight names it.
 inline char const* const& stepNeeds = editWord("what its solutions need");
 inline char const* const& stepExact = editWord("how exact its solutions must be");
 inline char const* const& stepDropped = editWord("single parts dropped at random");
@@ -129,7 +129,7 @@ inline char const* const& keepItTip = editWord("As a recorded solution of the le
 inline char const* const& playIt = editWord("Play it");
 inline char const* const& keptText = editWord("Recorded: {}");
 
-// What a player did, as kinds name it.
+// The deeds of a player, as kinds of solutions name them.
 inline char const* const& deedGrab = editWord("dragging by hand");
 inline char const* const& deedCut = editWord("cutting a wire");
 inline char const* const& deedRemove = editWord("removing something");
@@ -146,12 +146,12 @@ inline char const* const& nothingPlaced = editWord("nothing placed");
 /// The parts and deeds of a kind; and its interactions, "" if there are none.
 [[nodiscard]] std::string shownMeans(PartCatalog const& parts, insight::CauseGraph const& graph);
 [[nodiscard]] std::string shownCauses(insight::CauseGraph const& graph);
-/// What only one of two kinds has; "" if there is nothing.
+/// The difference of one kind from another; "" if there is none.
 [[nodiscard]] std::string shownSide(PartCatalog const& parts, insight::GraphSide const& side);
 /// In how many of its displaced runs a solution solves the level; it has such runs.
 [[nodiscard]] std::string shownRobustness(insight::SolutionReport const& solution,
                                           insight::Jitter const& jitter);
-/// What is being done, and how much of it.
+/// The work in progress, and how much of it is done.
 [[nodiscard]] std::string shownStep(std::string const& step, insight::WorkDone const& done);
 
 /// A shortcoming, and what to do about it.

@@ -65,8 +65,9 @@ void EditMouse::drag(EditParts& parts) {
         [[fallthrough]];
     case Doing::moving: {
         Vec2 const by = snapped(parts, anchor_ + pointer.world - start_) - anchor_;
-        return change(parts,
-                      [&](Json const& level) { return edit::moveObjects(level, parts.selected(), by); });
+        return change(parts, [&](Json const& level) {
+            return edit::moveObjects(*parts.data, level, parts.selected(), by);
+        });
     }
     case Doing::turning: {
         Vec2 const centre = handles_->middle();
@@ -75,7 +76,7 @@ void EditMouse::drag(EditParts& parts) {
         double const degrees =
             (pointer.free || pointer.fine ? angle : parts.snapping.angle(angle)) * 180 / std::numbers::pi;
         return change(parts, [&](Json const& level) {
-            return edit::rotateObjects(level, parts.selected(), degrees, centre);
+            return edit::rotateObjects(*parts.data, level, parts.selected(), degrees, centre);
         });
     }
     case Doing::scaling: {

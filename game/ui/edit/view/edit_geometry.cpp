@@ -5,6 +5,7 @@
 #include "puzzle/edit/commands/editor_state.hpp"
 #include "puzzle/edit/commands/goals.hpp"
 #include "puzzle/edit/commands/objects.hpp"
+#include "puzzle/edit/tree/extent.hpp"
 #include "puzzle/edit/tree/part_statements.hpp"
 #include "puzzle/edit/tree/tree_access.hpp"
 #include "render/scene/objects/wires.hpp"

@@ -1,8 +1,8 @@
 // The sections of the level's table of commands: a file with rows for each.
 #pragma once
 
-#include "game/ui/commands/command.hpp"
 #include "game/ui/play/play_parts.hpp"
+#include "game/ui/shared/commands/command.hpp"
 
 #include <cstdint>
 #include <span>
@@ -27,8 +27,8 @@ namespace trembler::ui {
 /// The level as a whole: starting it again, watching a run again, going on to the next one.
 [[nodiscard]] std::span<Command<PlayParts> const> levelCommands();
 
-/// What comes after the present level: the next one, the gallery that it is the last of, the list of levels
-/// (of a level that is none of the program's), or, if every puzzle is solved, the end.
+/// The place to go to after the present level: the next one, the gallery that it is the last of, the list of
+/// levels (of a level that is none of the program's), or, if every puzzle is solved, the end.
 enum class AfterLevel : std::uint8_t { next, gallery, levels, end };
 [[nodiscard]] AfterLevel afterThis(PlayParts const& parts);
 

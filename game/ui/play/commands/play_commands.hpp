@@ -1,8 +1,8 @@
 // The table of all commands of a level's screen.
 #pragma once
 
-#include "game/ui/commands/command.hpp"
-#include "game/ui/commands/key_help.hpp"
+#include "game/ui/shared/commands/command.hpp"
+#include "game/ui/shared/commands/key_help.hpp"
 
 #include <span>
 
@@ -12,7 +12,7 @@ struct PlayParts;
 
 /// In the order of the page of keys. They live as long as the program.
 [[nodiscard]] std::span<Command<PlayParts> const> playCommands();
-/// What the mouse and modifier keys do besides, for the page of keys.
+/// The other actions of the mouse and of modifier keys, for the page of keys.
 [[nodiscard]] std::span<Gesture const> playGestures();
 
 } // namespace trembler::ui

@@ -1,7 +1,7 @@
-#include "game/ui/commands/common_commands.hpp"
 #include "game/ui/play/commands/command_sections.hpp"
 #include "game/ui/play/keeping/saving.hpp"
 #include "game/ui/play/whatif/what_if_tool.hpp"
+#include "game/ui/shared/commands/common_commands.hpp"
 #include "game/ui/shared/words.hpp"
 #include "render/window/gamepad.hpp"
 

@@ -1,7 +1,7 @@
 // Pictures of the world that the player keeps: a clip of a run, and single pictures.
 #pragma once
 
-#include "game/ui/shared/recorder.hpp"
+#include "game/ui/shared/kept/recorder.hpp"
 #include "render/gl/webp.hpp"
 #include "render/panels/toasts.hpp"
 

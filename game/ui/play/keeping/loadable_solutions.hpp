@@ -1,7 +1,7 @@
 // The solutions of the present level that the player can load: saved ones, and recorded ones that were found.
 #pragma once
 
-#include "game/ui/shared/saved_solutions.hpp"
+#include "game/ui/shared/kept/saved_solutions.hpp"
 #include "puzzle/campaign/progress.hpp"
 #include "puzzle/session/session.hpp"
 

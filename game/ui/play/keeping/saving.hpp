@@ -1,7 +1,7 @@
 // Saving what the player placed and did as a solution file.
 #pragma once
 
-#include "game/ui/shared/saved_solutions.hpp"
+#include "game/ui/shared/kept/saved_solutions.hpp"
 #include "puzzle/session/session.hpp"
 #include "render/panels/toasts.hpp"
 

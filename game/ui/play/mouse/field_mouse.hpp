@@ -3,7 +3,7 @@
 #pragma once
 
 #include "game/ui/play/mouse/picking.hpp"
-#include "game/ui/tools/camera_control.hpp"
+#include "game/ui/shared/camera_control.hpp"
 #include "game/ui/tools/group_tool.hpp"
 #include "game/ui/tools/hand_tool.hpp"
 #include "game/ui/tools/placing_tool.hpp"

@@ -13,7 +13,8 @@ public:
     /// Both must outlive this.
     Picking(Session const& session, Inspector& inspector) : session_(session), inspector_(inspector) {}
 
-    /// What is on the screen in place of the session's world, in pictures from now on; nullptr: nothing is.
+    /// The world that is on the screen in place of the session's, in pictures from now on; nullptr: nothing
+    /// is.
     void show(World const* past) { past_ = past; }
     /// To be called once per picture. Over a card or outside the window the mouse points at nothing.
     void pointAt(Pointer const& pointer);

@@ -4,7 +4,7 @@
 #include "game/budget/budget_mode.hpp"
 #include "game/ui/play/run/level_audio.hpp"
 #include "game/ui/play/run/speed.hpp"
-#include "game/ui/tools/camera_control.hpp"
+#include "game/ui/shared/camera_control.hpp"
 #include "game/ui/tools/hand_tool.hpp"
 #include "game/ui/tools/placing_tool.hpp"
 

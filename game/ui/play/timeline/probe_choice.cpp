@@ -1,7 +1,7 @@
 // Which numbers of an object can be plotted, and the card in which the player chooses them.
-#include "game/ui/cards/play_cards.hpp"
 #include "game/ui/play/timeline/probe_panel.hpp"
 #include "game/ui/play/timeline/probe_words.hpp"
+#include "game/ui/shared/card_sizes.hpp"
 #include "game/ui/shared/texts.hpp"
 #include "render/panels/buttons.hpp"
 #include "render/panels/check_box.hpp"

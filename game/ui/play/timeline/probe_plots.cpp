@@ -1,8 +1,8 @@
 // The card of the plots above the timeline.
-#include "game/ui/cards/play_cards.hpp"
 #include "game/ui/play/timeline/probe_panel.hpp"
 #include "game/ui/play/timeline/probe_words.hpp"
 #include "game/ui/play/timeline/timeline_bar.hpp"
+#include "game/ui/shared/card_sizes.hpp"
 #include "game/ui/shared/texts.hpp"
 #include "insight/probe/plot.hpp"
 #include "render/draw/palette.hpp"

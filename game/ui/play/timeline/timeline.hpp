@@ -58,7 +58,7 @@ public:
     /// The shown frame: of the past, or the session's.
     [[nodiscard]] std::uint64_t frame() const { return at_ ? *at_ : session_.world().frame(); }
     [[nodiscard]] std::uint64_t last() const { return recording_.begun() ? recording_.last() : 0; }
-    /// What is shown. Valid until the next call that changes anything.
+    /// The world that is shown. Valid until the next call that changes anything.
     [[nodiscard]] World const& world() const { return at_ ? stage_.world() : session_.world(); }
     /// The goals as they were; of the session while it does not look back.
     [[nodiscard]] std::vector<GoalStatus> const& goals() const {

@@ -1,6 +1,6 @@
 #include "game/ui/play/timeline/timeline_bar.hpp"
 
-#include "game/ui/cards/play_cards.hpp"
+#include "game/ui/shared/card_sizes.hpp"
 #include "game/ui/shared/texts.hpp"
 #include "game/ui/shared/words.hpp"
 #include "render/draw/palette.hpp"

@@ -1,8 +1,8 @@
 // The timeline below the scene: a track to drag along, with marks where something notable happened.
 #pragma once
 
-#include "game/ui/commands/command_buttons.hpp"
 #include "game/ui/play/timeline/timeline.hpp"
+#include "game/ui/shared/commands/command_buttons.hpp"
 
 namespace trembler::ui {
 

@@ -1,7 +1,7 @@
 #include "game/ui/play/view/fitted_view.hpp"
 
-#include "game/ui/cards/play_cards.hpp"
 #include "game/ui/play/play_parts.hpp"
+#include "game/ui/shared/card_sizes.hpp"
 #include "game/ui/tools/free_fit.hpp"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 #include "game/ui/play/whatif/what_if_card.hpp"
 
-#include "game/ui/cards/play_cards.hpp"
 #include "game/ui/play/whatif/what_if_fields.hpp"
 #include "game/ui/play/whatif/what_if_words.hpp"
+#include "game/ui/shared/card_sizes.hpp"
 #include "game/ui/shared/texts.hpp"
 #include "render/draw/palette.hpp"
 #include "render/panels/buttons.hpp"

@@ -1,8 +1,8 @@
 // The card of a what-if: what is changed, what else can be, and what becomes of it.
 #pragma once
 
-#include "game/ui/commands/command_buttons.hpp"
 #include "game/ui/play/whatif/what_if_tool.hpp"
+#include "game/ui/shared/commands/command_buttons.hpp"
 #include "puzzle/session/session.hpp"
 
 namespace trembler::ui {

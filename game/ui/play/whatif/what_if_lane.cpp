@@ -1,8 +1,8 @@
 #include "game/ui/play/whatif/what_if_lane.hpp"
 
-#include "game/ui/cards/play_cards.hpp"
 #include "game/ui/play/timeline/timeline_bar.hpp"
 #include "game/ui/play/whatif/what_if_colour.hpp"
+#include "game/ui/shared/card_sizes.hpp"
 #include "game/ui/shared/texts.hpp"
 #include "render/panels/theme.hpp"
 

@@ -1,8 +1,8 @@
 // The lane of the other run above the timeline.
 #pragma once
 
-#include "game/ui/commands/command_buttons.hpp"
 #include "game/ui/play/whatif/what_if.hpp"
+#include "game/ui/shared/commands/command_buttons.hpp"
 
 #include <optional>
 

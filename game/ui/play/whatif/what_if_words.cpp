@@ -1,6 +1,6 @@
 #include "game/ui/play/whatif/what_if_words.hpp"
 
-#include "game/ui/panels/inspector.hpp"
+#include "game/ui/shared/readable_number.hpp"
 #include "game/ui/shared/texts.hpp"
 #include "game/ui/shared/words.hpp"
 #include "insight/whatif/settable.hpp"

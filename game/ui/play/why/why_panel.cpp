@@ -1,6 +1,6 @@
 #include "game/ui/play/why/why_panel.hpp"
 
-#include "game/ui/play/view/level_text.hpp"
+#include "game/ui/cards/level_text.hpp"
 #include "game/ui/shared/words.hpp"
 
 #include <algorithm>

@@ -60,7 +60,7 @@ public:
     [[nodiscard]] insight::Answer const* answer() const { return answer_ ? &*answer_ : nullptr; }
     /// Whether nothing that can be explained has happened to the object or goal in question.
     [[nodiscard]] bool nothing() const { return nothing_; }
-    /// What the card says: each step of the chain, or what the nearest miss was.
+    /// The text of the card: each step of the chain, or what the nearest miss was.
     [[nodiscard]] std::vector<std::string> lines() const;
     /// The index of the step that is looked at, among the steps of lines(); a miss is step 0.
     [[nodiscard]] std::optional<std::size_t> step() const { return step_; }

@@ -44,8 +44,8 @@ struct StarCount {
 
 /// Levels that name mods, and levels of mods.
 struct CatalogMods {
-    /// What a level is read with, nullptr if it names no mods; throws InputError. Empty: a level that names
-    /// mods cannot be played.
+    /// The data for reading a level, nullptr if it names no mods; throws InputError. Empty: a level that
+    /// names mods cannot be played.
     std::function<std::shared_ptr<GameData const>(std::filesystem::path const&)> data{};
     std::vector<std::filesystem::path> mods{}; ///< each the folder of a mod: its levels are listed, too
 };

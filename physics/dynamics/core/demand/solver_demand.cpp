@@ -1,7 +1,7 @@
 #include "physics/dynamics/core/demand/solver_demand.hpp"
 
 #include "physics/dynamics/core/demand/joint_graph.hpp"
-#include "physics/dynamics/properties/shape_rules.hpp"
+#include "physics/dynamics/properties/shapes/shape_rules.hpp"
 
 #include <algorithm>
 #include <cmath>

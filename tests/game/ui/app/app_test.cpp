@@ -169,17 +169,6 @@ TEST(Program, TheClockComputesSixtyFramesASecondAndDoesNotCatchUp) {
     EXPECT_NEAR(clock.due(1.0 / 60, 4), 4, 1);
 }
 
-TEST(Program, NumbersAreReadable) {
-    EXPECT_EQ(readable(0), "0");
-    EXPECT_EQ(readable(-0.0), "0");
-    EXPECT_EQ(readable(1.0 / 3), "0.333");
-    EXPECT_EQ(readable(9.81), "9.81");
-    EXPECT_EQ(readable(-12.5), "-12.5");
-    EXPECT_EQ(readable(150000), "150000");
-    EXPECT_EQ(readable(1e9), "1e+09");
-    EXPECT_EQ(readable(2.5e-5), "2.5e-05");
-}
-
 // The following tests open windows of their own.
 TEST(Program, AScreenshotIsWrittenAndNotBlank) {
     closeWindow();

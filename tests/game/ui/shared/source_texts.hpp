@@ -184,8 +184,8 @@ inline std::set<std::string> textsAskedFor() {
             all.insert(literalAt(source, begin));
         }
     };
-    forEachSource({"game/ui/app", "game/ui/cards", "game/ui/commands", "game/ui/panels", "game/ui/play",
-                   "game/ui/shared", "game/ui/tools", "puzzle/goals/conditions", "puzzle/goals/words"},
+    forEachSource({"game/ui/app", "game/ui/cards", "game/ui/panels", "game/ui/play", "game/ui/shared",
+                   "game/ui/tools", "puzzle/goals/conditions", "puzzle/goals/words"},
                   gather);
     return all;
 }

@@ -1,8 +1,8 @@
 // The texts of the screens: complete in every language, none unused.
 #include "game/ui/app/title_screen.hpp"
-#include "game/ui/commands/chord.hpp"
 #include "game/ui/play/commands/play_commands.hpp"
 #include "game/ui/play/play_parts.hpp"
+#include "game/ui/shared/commands/chord.hpp"
 #include "game/ui/shared/texts.hpp"
 #include "game/ui/shared/words.hpp"
 #include "puzzle/data/game_data.hpp"

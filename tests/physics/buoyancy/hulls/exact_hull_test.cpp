@@ -1,7 +1,7 @@
 // Area, centroid and moments of the displaced area, compared with a strip integration, and their invariants.
 #include "physics/buoyancy/hulls/disc.hpp"
 #include "physics/buoyancy/hulls/exact_hull.hpp"
-#include "physics/dynamics/properties/mass_properties.hpp"
+#include "physics/dynamics/properties/shapes/mass_properties.hpp"
 #include "tests/physics/buoyancy/generators.hpp"
 #include "tests/physics/buoyancy/oracle.hpp"
 

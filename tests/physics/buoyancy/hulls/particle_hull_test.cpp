@@ -1,7 +1,7 @@
 // Particles approximate the body that they are made from, better with their number.
 #include "physics/buoyancy/hulls/exact_hull.hpp"
 #include "physics/buoyancy/hulls/particle_hull.hpp"
-#include "physics/dynamics/properties/mass_properties.hpp"
+#include "physics/dynamics/properties/shapes/mass_properties.hpp"
 #include "tests/physics/buoyancy/generators.hpp"
 
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 #include "physics/buoyancy/properties/liquid.hpp"
 #include "physics/buoyancy/properties/moments.hpp"
 #include "physics/buoyancy/rules/liquid_rules.hpp"
-#include "physics/dynamics/properties/shape_rules.hpp"
+#include "physics/dynamics/properties/shapes/shape_rules.hpp"
 #include "runtime/placement.hpp"
 #include "tests/physics/buoyancy/generators.hpp"
 

@@ -1,5 +1,5 @@
 #include "physics/buoyancy/properties/liquid.hpp"
-#include "physics/dynamics/properties/overlap.hpp"
+#include "physics/dynamics/properties/shapes/overlap.hpp"
 #include "physics/dynamics/rules/crowd_rules.hpp"
 #include "runtime/placement.hpp"
 

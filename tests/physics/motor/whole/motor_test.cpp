@@ -1,7 +1,7 @@
 // Electric motors and generators compared with the equations of a direct-current motor.
 #include "physics/dynamics/properties/body.hpp"
 #include "physics/dynamics/properties/joint.hpp"
-#include "physics/dynamics/properties/mass_properties.hpp"
+#include "physics/dynamics/properties/shapes/mass_properties.hpp"
 #include "physics/electricity/properties/electrical.hpp"
 #include "physics/electricity/rules/initial_connections.hpp"
 #include "physics/motor/electricity_from_rotation.hpp"

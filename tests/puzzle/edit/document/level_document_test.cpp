@@ -46,13 +46,13 @@ TEST(LevelDocument, JoinsTheCommandsOfAGesture) {
     LevelDocument document = smallDocument();
     Gesture const drag{document.newGesture(), Gesture::Next::replaces};
     for (double x : {0.5, 1.0, 1.5}) {
-        document.run(moveObjects(document.tree(), {"ball"}, {x, 0}), drag);
+        document.run(moveObjects(editData(), document.tree(), {"ball"}, {x, 0}), drag);
     }
     EXPECT_EQ(document.history(), std::vector<std::string>{"Move ball"});
     EXPECT_EQ(document.tree()["objects"][3]["at"], Json::array({1.5, 3}));
     Gesture const keys{document.newGesture(), Gesture::Next::adds};
-    document.run(moveObjects(document.tree(), {"ball"}, {0, 1}), keys);
-    document.run(moveObjects(document.tree(), {"ball"}, {0, 1}), keys);
+    document.run(moveObjects(editData(), document.tree(), {"ball"}, {0, 1}), keys);
+    document.run(moveObjects(editData(), document.tree(), {"ball"}, {0, 1}), keys);
     EXPECT_EQ(document.history().size(), 2U);
     EXPECT_EQ(document.tree()["objects"][3]["at"], Json::array({1.5, 5}));
     document.goTo(0);
@@ -60,8 +60,8 @@ TEST(LevelDocument, JoinsTheCommandsOfAGesture) {
     EXPECT_EQ(document.redoName(), "Move ball");
     // A drag back to where it began is no step.
     Gesture const back{document.newGesture(), Gesture::Next::replaces};
-    document.run(moveObjects(document.tree(), {"ball"}, {1, 0}), back);
-    document.run(moveObjects(document.tree(), {"ball"}, {0, 0}), back);
+    document.run(moveObjects(editData(), document.tree(), {"ball"}, {1, 0}), back);
+    document.run(moveObjects(editData(), document.tree(), {"ball"}, {0, 0}), back);
     EXPECT_FALSE(document.canUndo());
 }
 
@@ -105,7 +105,6 @@ TEST(LevelDocument, ConvertsOldVersionsWhereTheyDiffer) {
         "{\"version\": 0, \"title\": \"old\",\n \"gravity\": [0, -1.50],  \"toolbox\": {\"plank\": 2}}");
     LevelDocument const document = LevelDocument::open(editData(), file);
     EXPECT_FALSE(document.readOnly());
-    EXPECT_EQ(document.convertedFrom(), 0);
     EXPECT_FALSE(document.modified());
     EXPECT_NO_THROW(static_cast<void>(document.level()));
     EXPECT_EQ(document.text().substr(0, 33), "{\"version\": 2, \"title\": \"old\",  \"");

@@ -36,7 +36,7 @@ TEST(LiveProblems, FindNothingInLevelsThatAreRight) {
 
 TEST(LiveProblems, LeadToTheCulprit) {
     auto const removed = problemsAfter(
-        [](LevelDocument& document) { document.run(removeObjects(document.tree(), {"ball"})); });
+        [](LevelDocument& document) { document.run(removeObjects(editData(), document.tree(), {"ball"})); });
     ASSERT_FALSE(removed.empty());
     EXPECT_EQ(removed.front().about, Problem::About::solution);
     EXPECT_EQ(removed.front().name, "wait");
@@ -57,7 +57,7 @@ TEST(LiveProblems, LeadToTheCulprit) {
 
 TEST(LiveProblems, FindWhatIsOutOfReach) {
     auto const away = problemsAfter([](LevelDocument& document) {
-        document.run(moveObjects(document.tree(), {"ball"}, {50, 0}));
+        document.run(moveObjects(editData(), document.tree(), {"ball"}, {50, 0}));
     });
     ASSERT_EQ(away.size(), 1U);
     EXPECT_EQ(away.front().name, "ball");
@@ -192,7 +192,7 @@ TEST(LiveProblems, AreThoseOfVerify) {
     auto const file = testFolder() / "level.json";
     writeText(file, smallLevel());
     LevelDocument document = LevelDocument::open(editData(), file);
-    document.run(moveObjects(document.tree(), {"ball"}, {50, 0}));
+    document.run(moveObjects(editData(), document.tree(), {"ball"}, {50, 0}));
     ASSERT_TRUE(document.save().ok());
     LiveProblems problems;
     problems.refresh(document);

@@ -10,7 +10,9 @@
 #include "puzzle/edit/commands/properties.hpp"
 #include "puzzle/edit/commands/shapes.hpp"
 #include "puzzle/edit/commands/solutions.hpp"
+#include "puzzle/edit/tree/extent.hpp"
 #include "runtime/level/json/limits.hpp"
+#include "runtime/level/read/read_part.hpp"
 #include "tests/puzzle/edit/edit_kit.hpp"
 
 #include <fmt/format.h>
@@ -60,13 +62,13 @@ TEST(ObjectCommands, RemoveWithJointsAndConnections) {
     Json level = small();
     level = done(level, addConnection(level, "left", "right"));
     level = done(level, groupObjects(level, {"left", "right"}));
-    level = done(level, removeObjects(level, {"right"}));
+    level = done(level, removeObjects(editData(), level, {"right"}));
     EXPECT_EQ(level["joints"].size(), 1U);
     EXPECT_FALSE(level.contains("connections"));
     EXPECT_FALSE(level.contains("editor"));
     level = done(level, lockObjects(level, {"left"}, true));
-    EXPECT_NE(refusalOf([&] { return removeObjects(level, {"left"}); }), "");
-    level = done(level, removeObjects(level, {"left", "ball"}));
+    EXPECT_NE(refusalOf([&] { return removeObjects(editData(), level, {"left"}); }), "");
+    level = done(level, removeObjects(editData(), level, {"left", "ball"}));
     EXPECT_EQ(objectNames(level), (std::vector<std::string>{"table", "left"}));
 }
 
@@ -82,12 +84,12 @@ TEST(ObjectCommands, DuplicateWithWhatHoldsAmongThem) {
 }
 
 TEST(ArrangeCommands, TakeJointsAlong) {
-    Json level = done(small(), moveObjects(small(), {"left"}, {1, 1}));
+    Json level = done(small(), moveObjects(editData(), small(), {"left"}, {1, 1}));
     EXPECT_EQ(entry(level, "left")["at"], Json::array({-1, 1.25}));
     EXPECT_EQ(level["joints"][0]["at"], Json::array({-1, 1.5}));
     EXPECT_EQ(level["joints"][1]["at"], Json::array({-1, 1.25}));
     EXPECT_EQ(level["joints"][1]["at_b"], Json::array({2, 0.5}));
-    level = done(small(), rotateObjects(small(), {"left"}, 90, {-2, 0.25}));
+    level = done(small(), rotateObjects(editData(), small(), {"left"}, 90, {-2, 0.25}));
     EXPECT_EQ(level["joints"][0]["at"], Json::array({-2.25, 0.25}));
     EXPECT_EQ(entry(level, "left")["angle_deg"], 90);
 }
@@ -151,7 +153,7 @@ TEST(ArrangeCommands, AlignAndDistribute) {
     Box const left = *extentOfObjects(editData(), aligned, {"left"});
     Box const right = *extentOfObjects(editData(), aligned, {"right"});
     EXPECT_NEAR(left.corner.y, right.corner.y, 1e-9);
-    Json level = done(small(), moveObjects(small(), {"ball"}, {1.3, 0}));
+    Json level = done(small(), moveObjects(editData(), small(), {"ball"}, {1.3, 0}));
     level = done(level, distributeObjects(editData(), level, {"left", "right", "ball"}, Axis::x));
     Box const ball = *extentOfObjects(editData(), level, {"ball"});
     EXPECT_NEAR(ball.corner.x - (-1.75), 1.75 - ball.corner.x - ball.size.x, 1e-9);
@@ -232,7 +234,7 @@ TEST(GoalCommands, KeepATree) {
 }
 
 TEST(Clipboard, PastesIntoAnotherLevel) {
-    std::string const text = copiedText(small(), {"left", "right"});
+    std::string const text = copiedText(editData(), small(), {"left", "right"});
     EXPECT_TRUE(canPaste(text));
     Json other = LevelDocument::blank(editData()).tree();
     other = done(other, pasteText(editData(), other, text, Vec2{10, 10}));

@@ -120,7 +120,7 @@ TEST(MirroredLevel, TwiceGivesTheSameFile) {
         std::string const where = i == files.size() ? "machines" : files[i].string();
         // Numbers are rounded to a nanometre, and an angle that becomes 0 is removed, which a file written by
         // hand may state.
-        document.run(moveObjects(document.tree(), objectNames(document.tree()), {0, 0}));
+        document.run(moveObjects(editData(), document.tree(), objectNames(document.tree()), {0, 0}));
         document.run({"Tidy", [](Json& level) {
                           for (Json& entry : level["objects"]) {
                               if (angleOf(entry) == 0) {

@@ -41,18 +41,18 @@ std::size_t jointsAt(Json const& level, std::string const& start) {
 
 TEST(PiecesAsEnds, AreRemovedWithTheObject) {
     for (bool const cut : {false, true}) {
-        Json const level =
-            after(withEnds(), cut ? cutObjects(withEnds(), {"door"}) : removeObjects(withEnds(), {"door"}));
+        Json const level = after(withEnds(), cut ? cutObjects(editData(), withEnds(), {"door"})
+                                                 : removeObjects(editData(), withEnds(), {"door"}));
         EXPECT_EQ(level["joints"], Json::parse(smallLevel())["joints"]);
         EXPECT_FALSE(level.contains("connections"));
     }
-    Json const level = after(withEnds(), removeObjects(withEnds(), {"left"}));
+    Json const level = after(withEnds(), removeObjects(editData(), withEnds(), {"left"}));
     EXPECT_EQ(level["joints"].size(), 2U) << "the hinge of the striker and the gear";
     EXPECT_EQ(level["connections"].size(), 1U);
 }
 
 TEST(PiecesAsEnds, AreRemovedWithAJoint) {
-    Json const level = after(withEnds(), removeJoints(withEnds(), {2}));
+    Json const level = after(withEnds(), removeJoints(editData(), withEnds(), {2}));
     EXPECT_EQ(level["joints"].size(), 3U) << "the gear refers to it";
     EXPECT_EQ(level["connections"].size(), 1U);
 }
@@ -71,19 +71,19 @@ TEST(PiecesAsEnds, AreCopiedWithTheObject) {
     };
     Json const level = withEnds();
     expectCopies(after(level, duplicateObjects(editData(), level, {"door", "cell"}, {1, 0})));
-    std::string const text = copiedText(level, {"door", "cell"});
+    std::string const text = copiedText(editData(), level, {"door", "cell"});
     expectCopies(after(level, pasteText(editData(), level, text, Vec2{2, 5})));
 }
 
 TEST(PiecesAsEnds, MoveWithTheObject) {
-    Json level = after(withEnds(), moveObjects(withEnds(), {"door"}, {1, -1}));
+    Json level = after(withEnds(), moveObjects(editData(), withEnds(), {"door"}, {1, -1}));
     EXPECT_EQ(level["joints"][2]["at"], Json::array({1, 4.5}));
     EXPECT_EQ(level["joints"][3]["at"], Json::array({1, 3}));
     EXPECT_EQ(level["joints"][3]["at_b"], Json::array({-2, 0.25}));
-    level = after(withEnds(), rotateObjects(withEnds(), {"door"}, 90, {0, 5}));
+    level = after(withEnds(), rotateObjects(editData(), withEnds(), {"door"}, 90, {0, 5}));
     EXPECT_EQ(level["joints"][2]["at"], Json::array({-0.5, 5}));
     EXPECT_EQ(level["joints"][3]["at"], Json::array({1, 5}));
-    level = after(withEnds(), moveObjects(withEnds(), {"cell"}, {1, -1}));
+    level = after(withEnds(), moveObjects(editData(), withEnds(), {"cell"}, {1, -1}));
     EXPECT_EQ(level["joints"], withEnds()["joints"]);
 }
 
@@ -96,7 +96,7 @@ TEST(PiecesAsEnds, LeaveALevelThatLoads) {
     LiveProblems problems;
     problems.refresh(document);
     EXPECT_TRUE(problems.all().empty()) << problems.all().front().words();
-    document.run(removeObjects(document.tree(), {"door"}));
+    document.run(removeObjects(editData(), document.tree(), {"door"}));
     problems.refresh(document);
     EXPECT_TRUE(problems.all().empty()) << problems.all().front().words();
     EXPECT_EQ(document.tree()["joints"].back()["a"], "door 2 striker");

@@ -1,5 +1,5 @@
 // A world that follows a drag shows the same as one that is built from the level after the drag.
-#include "physics/dynamics/properties/overlap.hpp"
+#include "physics/dynamics/properties/shapes/overlap.hpp"
 #include "puzzle/edit/commands/arrange.hpp"
 #include "puzzle/edit/commands/objects.hpp"
 #include "puzzle/edit/commands/properties.hpp"
@@ -107,7 +107,7 @@ TEST(Displacement, ShowsWhatTheLevelsWouldShow) {
         std::vector<std::string> const all = objectNames(document.tree());
         std::string const where = path.filename().string() + ": ";
         auto const moveOf = [](std::vector<std::string> const& names) {
-            return [names](Json const& level) { return moveObjects(level, names, {0.3, -0.2}); };
+            return [names](Json const& level) { return moveObjects(editData(), level, names, {0.3, -0.2}); };
         };
         EXPECT_TRUE(follows(document, moveOf(all), where)) << where;
         for (std::string const& name : all) {
@@ -117,7 +117,7 @@ TEST(Displacement, ShowsWhatTheLevelsWouldShow) {
         follows(
             document,
             [&](Json const& level) {
-                return rotateObjects(level, all, 30, {1, 1});
+                return rotateObjects(editData(), level, all, 30, {1, 1});
             },
             where);
     }
@@ -134,7 +134,7 @@ TEST(Displacement, FollowsSizes) {
     EXPECT_TRUE(follows(
         document,
         [](Json const& level) {
-            return rotateObjects(level, {"right"}, 30, {0, 0});
+            return rotateObjects(editData(), level, {"right"}, 30, {0, 0});
         },
         "turned: "));
 }
@@ -147,7 +147,7 @@ TEST(Displacement, RefusesWhatIsNoPlaceOrSize) {
     EXPECT_FALSE(world.follow(document.tree()));
     document.undo();
     EXPECT_TRUE(world.follow(document.tree()));
-    document.run(removeObjects(document.tree(), {"left"}));
+    document.run(removeObjects(editData(), document.tree(), {"left"}));
     EXPECT_FALSE(world.follow(document.tree()));
 }
 

@@ -6,6 +6,7 @@
 #include "render/scene/objects/drawing.hpp"
 #include "render/scene/objects/part.hpp"
 #include "runtime/level/property/move_property.hpp"
+#include "runtime/level/read/read_part.hpp"
 #include "tests/render/scene/scene_stage.hpp"
 
 #include <cmath>

@@ -6,6 +6,7 @@
 #include "render/scene/scene_view.hpp"
 #include "runtime/level/build/build_world.hpp"
 #include "runtime/level/read/read_level.hpp"
+#include "runtime/level/read/read_part.hpp"
 #include "tests/render/scene/scene_stage.hpp"
 #include "tests/support/sanitizer.hpp"
 

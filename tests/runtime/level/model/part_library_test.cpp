@@ -1,5 +1,6 @@
 // Part definitions: what their files may state, and folders of them.
 #include "runtime/level/model/part_library.hpp"
+#include "runtime/level/read/read_part.hpp"
 #include "runtime/object/without.hpp"
 #include "tests/runtime/level/sample_properties.hpp"
 

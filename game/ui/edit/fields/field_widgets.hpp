@@ -1,0 +1,42 @@
+// Widgets for fields of properties, made from their descriptions.
+#pragma once
+
+#include "game/ui/edit/edit_parts.hpp"
+#include "puzzle/edit/inspect/inspector.hpp"
+
+#include <functional>
+#include <optional>
+#include <string>
+
+namespace trembler::ui {
+
+/// The name of a field, and one of the values that it may have, in the language in use.
+[[nodiscard]] std::string shownField(std::string const& name);
+[[nodiscard]] std::string shownChoice(std::string const& choice);
+/// A name on the left, with a tip; the widget that follows takes the rest of the line.
+void fieldName(std::string const& name, std::string const& help);
+/// A text that is taken when the field is left or Enter is pressed; true in that picture. `lines` above 1: a
+/// larger field.
+[[nodiscard]] bool committedText(EditParts& parts, std::string const& item, std::string& text,
+                                 float lines = 1);
+/// A number to drag or type. True while it changes; EditParts::widget is then the gesture of its changes.
+[[nodiscard]] bool numberField(EditParts& parts, std::string const& item, double& value, double low,
+                               double high, std::string const& unit, bool whole = false);
+/// One of several texts, shown as they are or in words. True when another one was chosen.
+[[nodiscard]] bool choiceField(EditParts& parts, std::string const& item, std::string& chosen,
+                               std::vector<std::string> const& choices,
+                               std::function<std::string(std::string const&)> const& inWords = {});
+
+/// The field's widget; the value that the designer gives it in this picture, in the form of files. Lists are
+/// not drawn.
+[[nodiscard]] std::optional<edit::Json> fieldWidget(EditParts& parts, edit::InspectedField const& field,
+                                                    std::string const& item);
+/// Runs a command made by a widget: the changes of one widget in use are one step of undo.
+void runWidget(EditParts& parts, std::function<edit::Command(edit::Json const&)> const& make,
+               bool continuous);
+
+/// Numbers of an area: of a box its place and size, of a polygon its corners. The area with the numbers that
+/// the designer gives it in this picture.
+[[nodiscard]] std::optional<Area> areaFields(EditParts& parts, Area const& area, std::string const& item);
+
+} // namespace trembler::ui

@@ -1,0 +1,130 @@
+// A command of the player, given by key or by button: each is one row of a screen's table.
+#pragma once
+
+#include "game/ui/shared/commands/chord.hpp"
+#include "game/ui/shared/texts.hpp"
+#include "render/panels/icons.hpp"
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+namespace trembler::ui {
+
+enum class KeyUse : std::uint8_t {
+    once,    ///< when the key goes down
+    repeats, ///< and again while it is held
+    held,    ///< the command acts as long as the key is held, see isHeld()
+};
+
+/// When the button of a gamepad means a command: the same button may mean another one at another time.
+enum class PadPhase : std::uint8_t {
+    always,
+    building,
+    running,
+    /// While the past is looked at. A button that then means no available command of this phase means one of
+    /// `building` that is available, or else that of `running`.
+    past,
+    /// While the arrow keys and the directional pad move the view.
+    view,
+};
+
+/// The section of the page of keys in which a command is listed.
+enum class CommandGroup : std::uint8_t { building, running, looking, program, editing };
+
+/// Name and look of a switch while it is on; nullptr or None: the same as while it is off.
+struct WhenOn {
+    render::Icon icon = render::Icon::None;
+    Phrase name = nullptr;
+    Phrase tip = nullptr;
+};
+
+/// The public description of a command, independent of the screen that runs it. The texts are stated in
+/// British English and read in the player's language.
+struct CommandInfo {
+    /// The name in profiles; lower-case letters and hyphens. Never changes once published.
+    std::string_view id;
+    std::array<Chord, 2> keys{}; ///< defaults that the player may replace; tips show the first
+    Chord pad{};                 ///< the same for the button of a gamepad
+    KeyUse use = KeyUse::once;
+    bool fixed = false; ///< the player cannot change its keys; modifiers are ignored
+    render::Icon icon = render::Icon::None;
+    CommandGroup group = CommandGroup::program;
+    Phrase name = ""; ///< on buttons and in the list of keys
+    Phrase tip = "";  ///< one line, without the key
+    /// Description on the page of keys, as short as possible. Adjacent commands with equal texts share a row.
+    Phrase help = "";
+    WhenOn whenOn{};
+    /// The id of a command whose key has the same effect, for tips; "" if there is none.
+    std::string_view alsoBy{};
+    PadPhase padPhase = PadPhase::always;
+};
+
+/// A row of a screen's table. `Context` is the object that the screen's commands act on.
+template <class Context>
+struct Command {
+    CommandInfo info;
+    void (*run)(Context&) = nullptr;
+    bool (*available)(Context const&) = nullptr; ///< nullptr: always
+    bool (*on)(Context const&) = nullptr;        ///< whether a switch is on; nullptr: not a switch
+};
+
+/// The commands of one screen, independent of its Context. Indices are rows of its table.
+class CommandSet {
+public:
+    virtual ~CommandSet() = default;
+    [[nodiscard]] virtual std::size_t size() const = 0;
+    [[nodiscard]] virtual CommandInfo const& info(std::size_t index) const = 0;
+    [[nodiscard]] virtual bool available(std::size_t index) const = 0;
+    [[nodiscard]] virtual bool on(std::size_t index) const = 0;
+    /// The meaning of the buttons of gamepads at present.
+    [[nodiscard]] virtual PadPhase phase() const { return PadPhase::always; }
+    /// Does nothing if the command is not available.
+    virtual void run(std::size_t index) = 0;
+
+    /// Throws std::invalid_argument if there is no such command, which is a programming error.
+    [[nodiscard]] std::size_t indexOf(std::string_view id) const;
+    [[nodiscard]] bool has(std::string_view id) const;
+    void run(std::string_view id) { run(indexOf(id)); }
+};
+
+/// A table with the context on which its commands act.
+template <class Context>
+class CommandsOf final : public CommandSet {
+public:
+    using CommandSet::run;
+
+    /// Both must outlive this.
+    CommandsOf(std::span<Command<Context> const> table, Context& context)
+        : table_(table), context_(context) {}
+
+    [[nodiscard]] std::size_t size() const override { return table_.size(); }
+    [[nodiscard]] CommandInfo const& info(std::size_t index) const override { return table_[index].info; }
+    [[nodiscard]] bool available(std::size_t index) const override {
+        auto* const available = table_[index].available;
+        return available == nullptr || available(context_);
+    }
+    [[nodiscard]] bool on(std::size_t index) const override {
+        auto* const on = table_[index].on;
+        return on != nullptr && on(context_);
+    }
+    [[nodiscard]] PadPhase phase() const override {
+        if constexpr (requires { context_.phase(); }) {
+            return context_.phase();
+        } else {
+            return PadPhase::always;
+        }
+    }
+    void run(std::size_t index) override {
+        if (available(index)) {
+            table_[index].run(context_);
+        }
+    }
+
+private:
+    std::span<Command<Context> const> table_;
+    Context& context_;
+};
+
+} // namespace trembler::ui

@@ -1,0 +1,24 @@
+// The look of the keyboard on the screen.
+#pragma once
+
+#include "game/ui/shared/layout.hpp"
+#include "game/ui/shared/letters/letter_keys.hpp"
+
+#include <span>
+#include <string>
+
+namespace trembler::ui {
+
+struct ShownKeyboard {
+    std::span<LetterKey const> keys;
+    std::size_t chosen = 0;
+    KeyPage page = KeyPage::letters;
+    std::string before; ///< what is typed, in front of the cursor; UTF-8, one line
+    std::string behind;
+};
+
+/// A card at the bottom of the window, over all others, with what is typed above the keys: the field may be
+/// beneath it. Between Gui::beginFrame and endFrame.
+void drawKeyboard(Layout& layout, ShownKeyboard const& shown);
+
+} // namespace trembler::ui

@@ -1,0 +1,83 @@
+// A keyboard on the screen, by which a gamepad types into any field for text or numbers.
+#pragma once
+
+#include "game/ui/shared/layout.hpp"
+#include "game/ui/shared/letters/letter_keys.hpp"
+#include "render/window/input_events.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace trembler::ui {
+
+/// Opens when a field gets the keys by a gamepad, and closes when it loses them, or when a real key or the
+/// mouse is used. While it is open the gamepads' buttons act on it alone: the directional pad moves, A
+/// presses a key, X deletes, Y is a blank, L1 and R1 move the cursor, L2 and R2 turn to capitals and signs,
+/// Start ends the typing, B gives it up. What is typed reaches the field as if it came from a real keyboard,
+/// and nothing else. Window thread only.
+class ScreenKeyboard {
+public:
+    /// Between InputEvents::poll and Gui::beginFrame.
+    void takeInput(render::InputEvents& input, double seconds);
+    /// After Gui::beginFrame, before any widget.
+    void beginPicture();
+    /// After all widgets of the picture: opens or closes it, and draws it.
+    void draw(Layout& layout);
+
+    /// For a list in which a gamepad moves while the field above it has the keys, in this picture: it opens
+    /// only if asked for, with X.
+    void waitToBeAsked() { waits_ = true; }
+    [[nodiscard]] bool open() const { return open_; }
+    /// Whether the next picture may be another one even if nothing happens.
+    [[nodiscard]] bool busy() const { return direction_.has_value() || !held_.empty() || !due_.empty(); }
+
+    /// The keys that it shows, and the index of the one that A presses.
+    [[nodiscard]] std::vector<LetterKey> const& keys() const { return keys_; }
+    [[nodiscard]] std::size_t chosen() const { return chosen_; }
+
+private:
+    /// A direction that is held, for how long.
+    struct Direction {
+        SDL_Keycode pad;
+        int x;
+        int y;
+        double held; ///< s
+    };
+    void show();
+    void hide();
+    /// Carries out the action of one button that went down.
+    void press(SDL_Keycode pad, render::InputEvents& input);
+    void act(LetterKey const& key, SDL_Keycode pad, render::InputEvents& input);
+    /// A key of a real keyboard, until the button is let go.
+    void holdKey(SDL_Keycode key, SDL_Keycode pad, render::InputEvents& input);
+    void type(std::string const& text, render::InputEvents& input);
+    void turnTo(KeyPage page);
+    void move(int x, int y);
+    void repeat(double seconds);
+    void letGo(render::InputEvents& input);
+
+    struct Held {
+        SDL_Keycode key;
+        SDL_Keycode pad; ///< 0: let go in the next picture
+        bool fresh;      ///< went down in this picture, in which it must not come up again
+    };
+
+    bool open_ = false;
+    bool byPad_ = false;  // what was used last
+    bool waits_ = false;  // of this picture
+    bool waited_ = false; // of the last one
+    bool leave_ = false;  // the field of several lines, which Enter does not end
+    bool lines_ = false;  // the field has several
+    unsigned field_ = 0;  // that had the keys in the last picture, by ImGui's number; 0: none
+    KeysWanted wanted_;
+    std::vector<LetterKey> keys_;
+    std::size_t chosen_ = 0;
+    double aim_ = 0;
+    std::optional<Direction> direction_;
+    std::vector<Held> held_;
+    std::vector<SDL_Keycode> due_; // keys that come up in the next picture
+};
+
+} // namespace trembler::ui
