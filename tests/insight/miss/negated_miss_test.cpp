@@ -42,6 +42,45 @@ TEST(NegatedMiss, OfSeveralIsTheNearestOrTheMean) {
     EXPECT_GT(any.measure, all.measure);
 }
 
+/// A floor, and so many boxes at rest on it, the ball far from them.
+Miss missOfBoxesOnAFloor(int boxes) {
+    std::string more = R"(, {"name": "floor", "at": [0, -1], "properties":
+        {"shape": [{"form": "box", "size": [12, 0.5]}], "fixed": true}})";
+    for (int i = 0; i < boxes; ++i) {
+        more += R"(, {"name": "box )" + std::to_string(i) + R"(", "tags": ["boxes"], "at": [)" +
+                std::to_string(i) +
+                R"(, -0.65], "properties": {"shape": [{"form": "box", "size": [0.2, 0.2]}],
+                "density": 500}})";
+    }
+    LevelFile level = levelWith(R"({"not": {"touching": ["floor", {"tag": "boxes"}]}, "for": 1})", more);
+    return explainedMiss(level, 30);
+}
+
+TEST(NegatedMiss, OfATouchIsTheNumberOfPairsThatTouch) {
+    Miss const one = missOfBoxesOnAFloor(1);
+    EXPECT_EQ(one.lack, Lack::touches);
+    EXPECT_EQ(one.by, 1);
+    EXPECT_EQ(one.names, (std::vector<std::string>{"floor", "box 0"})) << "in the order of the goal";
+    Miss const three = missOfBoxesOnAFloor(3);
+    EXPECT_EQ(three.by, 3);
+    EXPECT_GT(three.measure, one.measure) << "what has fewer to part is nearer";
+    EXPECT_LT(three.measure, 1);
+    EXPECT_TRUE(sentencesOf(one, AnswerLanguage()).front().starts_with("The floor still touched box 0"));
+    EXPECT_TRUE(sentencesOf(three, AnswerLanguage())
+                    .front()
+                    .starts_with("The floor still touched box 0, one of 3 pairs that did"));
+}
+
+/// What is left to do of a sequence that was done at once and should not be.
+TEST(NegatedMiss, OfASequenceThatIsDoneIsTheWholeWay) {
+    Miss const miss = explainedMiss(
+        levelWith(
+            R"({"not": {"sequence": [{"inside": {"object": "ball", "area": [0, 0, 2, 2]}}]}, "for": 1})"),
+        4);
+    EXPECT_EQ(miss.lack, Lack::change);
+    EXPECT_EQ(miss.by, 1);
+}
+
 /// A lamp between a source and a return, each with as many wires as stated.
 LevelFile lampWith(int wiresToSource, int wiresToReturn) {
     std::string objects =
