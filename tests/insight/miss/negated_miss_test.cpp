@@ -17,8 +17,8 @@ LevelFile levelWith(std::string const& goals, std::string const& more = "") {
     std::string const text = R"({"version": 2, "title": "Negated",
   "world": {"gravity": [0, 0], "bounds": [-10, -10, 20, 20]},
   "objects": [{"name": "ball", "at": [0.5, 0.2], "properties":
-                 {"shape": [{"form": "circle", "radius": 0.1}], "density": 1000}}])" +
-                             more + R"(, "goals": )" + goals + "}";
+                 {"shape": [{"form": "circle", "radius": 0.1}], "density": 1000}})" +
+                             more + R"(], "goals": )" + goals + "}";
     return readLevel(gameData().registry, JsonDocument::parse(text, "negated.json"));
 }
 
@@ -49,7 +49,7 @@ Miss missOfBoxesOnAFloor(int boxes) {
     for (int i = 0; i < boxes; ++i) {
         more += R"(, {"name": "box )" + std::to_string(i) + R"(", "tags": ["boxes"], "at": [)" +
                 std::to_string(i) +
-                R"(, -0.65], "properties": {"shape": [{"form": "box", "size": [0.2, 0.2]}],
+                R"(, -0.655], "properties": {"shape": [{"form": "box", "size": [0.2, 0.2]}],
                 "density": 500}})";
     }
     LevelFile level = levelWith(R"({"not": {"touching": ["floor", {"tag": "boxes"}]}, "for": 1})", more);
