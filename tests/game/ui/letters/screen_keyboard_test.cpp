@@ -1,7 +1,6 @@
 // Texts and numbers by a gamepad alone, with real events of a gamepad, in fields of menus and of the editor.
 #include "game/ui/app/settings_page.hpp"
 #include "game/ui/letters/screen_keyboard.hpp"
-#include "game/ui/shared/texts.hpp"
 #include "tests/game/ui/edit/editor_kit.hpp"
 #include "tests/game/ui/letters/pad_typist.hpp"
 
@@ -24,7 +23,6 @@ protected:
         std::filesystem::remove_all(designer.films()); // solutions of an earlier run
         designer.frames(2);
     }
-    void TearDown() override { useLanguage("en"); } // for the tests after it in the process
     void press(SDL_GameControllerButton button, int times = 1) {
         for (int i = 0; i < times; ++i) {
             pad.press(designer, button);
