@@ -45,14 +45,16 @@ TEST(NegatedMiss, OfSeveralIsTheNearestOrTheMean) {
 /// A floor, and so many boxes at rest on it, the ball far from them.
 Miss missOfBoxesOnAFloor(int boxes) {
     std::string more = R"(, {"name": "floor", "at": [0, -1], "properties":
-        {"shape": [{"form": "box", "size": [12, 0.5]}], "fixed": true}})";
+        {"shape": [{"form": "box", "width": 12, "height": 0.5}], "fixed": true}})";
+    std::string names;
     for (int i = 0; i < boxes; ++i) {
-        more += R"(, {"name": "box )" + std::to_string(i) + R"(", "tags": ["boxes"], "at": [)" +
-                std::to_string(i) +
-                R"(, -0.655], "properties": {"shape": [{"form": "box", "size": [0.2, 0.2]}],
+        names += (i > 0 ? ", " : "") + (R"("box )" + std::to_string(i) + '"');
+        more += R"(, {"name": "box )" + std::to_string(i) + R"(", "at": [)" + std::to_string(i) +
+                R"(, -0.655], "properties": {"shape": [{"form": "box", "width": 0.2, "height": 0.2}],
                 "density": 500}})";
     }
-    LevelFile level = levelWith(R"({"not": {"touching": ["floor", {"tag": "boxes"}]}, "for": 1})", more);
+    LevelFile const level =
+        levelWith(R"({"not": {"touching": ["floor", [)" + names + R"(]]}, "for": 1})", more);
     return explainedMiss(level, 30);
 }
 
