@@ -2,6 +2,7 @@
 
 #include "insight/miss/area_distance.hpp"
 #include "insight/miss/current_miss.hpp"
+#include "insight/miss/moved_ways.hpp"
 #include "insight/miss/negated_miss.hpp"
 #include "insight/miss/obstacles.hpp"
 #include "physics/dynamics/properties/shapes/overlap.hpp"
@@ -100,22 +101,14 @@ Miss missOfTouching(ConditionMiss const& one, World const& world, CircuitSight& 
 Miss missOfMoved(ConditionMiss const& one, World const& world, CircuitSight& circuits) {
     conditions::WantedMove const wanted = conditions::wantedMove(one.state().condition());
     Miss best = otherWayRound(one.state());
-    for (std::size_t i = 0; i < one.starts().size(); ++i) {
-        ObjectId const id = one.state().subjects()[i];
-        Position const* const position = world.find<Position>(id);
-        if (position == nullptr) {
-            continue;
-        }
-        Vec2 const way = position->value - one.starts()[i];
-        bool const anyDirection = wanted.towards == Vec2{};
-        double const done = anyDirection ? length(way) : dot(way, wanted.towards);
+    for (MovedWay const& moved : movedWays(one, world)) {
         Miss miss;
         miss.lack = Lack::distance;
-        miss.by = std::max(0.0, wanted.distance - done);
+        miss.by = std::max(0.0, wanted.distance - moved.done);
         miss.measure = std::clamp(miss.by / (miss.by + wanted.distance), 0.0, 1.0);
-        miss.objects = {id};
-        miss.from = position->value;
-        miss.to = position->value + (anyDirection ? Vec2{} : wanted.towards * miss.by);
+        miss.objects = {moved.object};
+        miss.from = moved.at;
+        miss.to = moved.at + wanted.towards * miss.by; // the same place if any direction will do
         keepNearer(best, miss);
     }
     addObstacles(best, world, circuits);

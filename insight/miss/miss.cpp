@@ -9,7 +9,7 @@ struct LackText {
     std::string_view name;
     std::string_view unit;
 };
-constexpr std::array<LackText, 12> lackTexts{{{"nothing", ""},
+constexpr std::array<LackText, 13> lackTexts{{{"nothing", ""},
                                               {"distance", "m"},
                                               {"gap", "m"},
                                               {"power", "W"},
@@ -20,6 +20,7 @@ constexpr std::array<LackText, 12> lackTexts{{{"nothing", ""},
                                               {"time", "s"},
                                               {"steps", ""},
                                               {"ways", ""},
+                                              {"touches", ""},
                                               {"change", ""}}};
 
 } // namespace

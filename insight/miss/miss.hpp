@@ -25,6 +25,7 @@ enum class Lack : std::uint8_t {
     time,     ///< s, for which a condition must hold without a break
     steps,    ///< of a sequence
     ways,     ///< of a current: connections that would have to be opened at least
+    touches,  ///< pairs of objects that touch and should not
     change,   ///< 1: it is the other way round, and there is no measure of how nearly
 };
 /// "distance" ..., as files spell it.

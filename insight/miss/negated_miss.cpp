@@ -2,7 +2,9 @@
 
 #include "insight/miss/area_distance.hpp"
 #include "insight/miss/current_miss.hpp"
+#include "insight/miss/moved_ways.hpp"
 #include "insight/miss/ways_of_current.hpp"
+#include "physics/dynamics/properties/contacts.hpp"
 #include "puzzle/goals/conditions/count.hpp"
 #include "puzzle/goals/conditions/moved.hpp"
 #include "runtime/placement.hpp"
@@ -58,30 +60,56 @@ Miss ofInside(ConditionMiss const& one, World const& world) {
 Miss ofMoved(ConditionMiss const& one, World const& world) {
     conditions::WantedMove const wanted = conditions::wantedMove(one.state().condition());
     Miss worst;
-    for (std::size_t i = 0; i < one.starts().size(); ++i) {
-        ObjectId const id = one.state().subjects()[i];
-        Position const* const position = world.find<Position>(id);
-        if (position == nullptr) {
+    bool const anyDirection = wanted.towards == Vec2{};
+    for (MovedWay const& moved : movedWays(one, world)) {
+        if (moved.done < wanted.distance) {
             continue;
         }
-        Vec2 const way = position->value - one.starts()[i];
-        double const far = length(way);
-        bool const anyDirection = wanted.towards == Vec2{};
-        double const done = anyDirection ? far : dot(way, wanted.towards);
-        if (done < wanted.distance) {
-            continue;
-        }
-        Vec2 const back = anyDirection ? (far > 0 ? way * (-1 / far) : Vec2{}) : wanted.towards * -1.0;
+        double const far = length(moved.way);
+        Vec2 const back = anyDirection ? (far > 0 ? moved.way * (-1 / far) : Vec2{}) : wanted.towards * -1.0;
         Miss miss;
         miss.lack = Lack::distance;
-        miss.by = done - wanted.distance;
-        miss.from = position->value;
-        miss.to = position->value + back * miss.by;
+        miss.by = moved.done - wanted.distance;
+        miss.from = moved.at;
+        miss.to = moved.at + back * miss.by;
         miss.measure = miss.by / (miss.by + typicalDistance);
-        miss.objects = {id};
+        miss.objects = {moved.object};
         keepFarther(worst, miss);
     }
     return worst.objects.empty() ? unmeasured(one.state()) : worst;
+}
+
+/// Every pair must part: the fewer still touch, the nearer. Within a pair there is nothing between touching
+/// and not touching.
+Miss ofTouching(ConditionMiss const& one, World const& world) {
+    Contacts const* const contacts = world.find<Contacts>();
+    Miss made = unmeasured(one.state());
+    if (contacts == nullptr) {
+        return made;
+    }
+    std::vector<ObjectId> const& as = one.state().subjects();
+    std::vector<ObjectId> const& bs = one.state().objects();
+    auto const isOneOf = [](std::vector<ObjectId> const& all, ObjectId id) {
+        return std::binary_search(all.begin(), all.end(), id);
+    };
+    int pairs = 0;
+    for (std::vector<TouchingPair> const* const list : {&contacts->current, &contacts->brief}) {
+        for (TouchingPair const& pair : *list) {
+            bool const inOrder = isOneOf(as, pair.a) && isOneOf(bs, pair.b);
+            if (!inOrder && !(isOneOf(as, pair.b) && isOneOf(bs, pair.a))) {
+                continue;
+            }
+            if (++pairs == 1) {
+                made.objects = inOrder ? std::vector{pair.a, pair.b} : std::vector{pair.b, pair.a};
+            }
+        }
+    }
+    if (pairs > 0) {
+        made.lack = Lack::touches;
+        made.by = pairs;
+        made.measure = made.by / (made.by + 1);
+    }
+    return made;
 }
 
 Miss ofOn(ConditionMiss const& one, World const& world) {
@@ -164,6 +192,8 @@ Miss negatedMiss(ConditionMiss const& one, World const& world, CircuitSight& cir
         made = negated_miss::ofInside(one, world);
     } else if (key == "moved") {
         made = negated_miss::ofMoved(one, world);
+    } else if (key == "touching") {
+        made = negated_miss::ofTouching(one, world);
     } else if (key == "on") {
         made = negated_miss::ofOn(one, world);
     } else if (key == "off") {

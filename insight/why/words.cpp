@@ -195,6 +195,13 @@ std::string sentenceOf(Miss const& miss, Extreme extreme, std::string const& whe
                                    {first, ways})) +
                when;
     }
+    case Lack::touches: {
+        Said const pairs{language.number(miss.by, 0)};
+        return (miss.by < 1.5
+                    ? language.mix("{} still touched {}", {first, second})
+                    : language.mix("{} still touched {}, one of {} pairs that did", {first, second, pairs})) +
+               when;
+    }
     case Lack::time:
         return language.mix("it held, but for {} less than it should", {amount(2)}) + when;
     case Lack::steps:

@@ -17,8 +17,8 @@ LevelFile levelWith(std::string const& goals, std::string const& more = "") {
     std::string const text = R"({"version": 2, "title": "Negated",
   "world": {"gravity": [0, 0], "bounds": [-10, -10, 20, 20]},
   "objects": [{"name": "ball", "at": [0.5, 0.2], "properties":
-                 {"shape": [{"form": "circle", "radius": 0.1}], "density": 1000}}])" +
-                             more + R"(, "goals": )" + goals + "}";
+                 {"shape": [{"form": "circle", "radius": 0.1}], "density": 1000}})" +
+                             more + R"(], "goals": )" + goals + "}";
     return readLevel(gameData().registry, JsonDocument::parse(text, "negated.json"));
 }
 
@@ -40,6 +40,47 @@ TEST(NegatedMiss, OfSeveralIsTheNearestOrTheMean) {
     Miss const any = explainedMiss(levelWith(R"({"not": {"any": [)" + near + "," + far + "]}}"), 2);
     EXPECT_NEAR(any.by, 3.2, 1e-6) << "each of them must end";
     EXPECT_GT(any.measure, all.measure);
+}
+
+/// A floor, and so many boxes at rest on it, the ball far from them.
+Miss missOfBoxesOnAFloor(int boxes) {
+    std::string more = R"(, {"name": "floor", "at": [0, -1], "properties":
+        {"shape": [{"form": "box", "width": 12, "height": 0.5}], "fixed": true}})";
+    std::string names;
+    for (int i = 0; i < boxes; ++i) {
+        names += (i > 0 ? ", " : "") + (R"("box )" + std::to_string(i) + '"');
+        more += R"(, {"name": "box )" + std::to_string(i) + R"(", "at": [)" + std::to_string(i) +
+                R"(, -0.655], "properties": {"shape": [{"form": "box", "width": 0.2, "height": 0.2}],
+                "density": 500}})";
+    }
+    LevelFile const level =
+        levelWith(R"({"not": {"touching": ["floor", [)" + names + R"(]]}, "for": 1})", more);
+    return explainedMiss(level, 30);
+}
+
+TEST(NegatedMiss, OfATouchIsTheNumberOfPairsThatTouch) {
+    Miss const one = missOfBoxesOnAFloor(1);
+    EXPECT_EQ(one.lack, Lack::touches);
+    EXPECT_EQ(one.by, 1);
+    EXPECT_EQ(one.names, (std::vector<std::string>{"floor", "box 0"})) << "in the order of the goal";
+    Miss const three = missOfBoxesOnAFloor(3);
+    EXPECT_EQ(three.by, 3);
+    EXPECT_GT(three.measure, one.measure) << "what has fewer to part is nearer";
+    EXPECT_LT(three.measure, 1);
+    EXPECT_TRUE(sentencesOf(one, AnswerLanguage()).front().starts_with("The floor still touched box 0"));
+    EXPECT_TRUE(sentencesOf(three, AnswerLanguage())
+                    .front()
+                    .starts_with("The floor still touched box 0, one of 3 pairs that did"));
+}
+
+/// What is left to do of a sequence that was done at once and should not be.
+TEST(NegatedMiss, OfASequenceThatIsDoneIsTheWholeWay) {
+    Miss const miss = explainedMiss(
+        levelWith(
+            R"({"not": {"sequence": [{"inside": {"object": "ball", "area": [0, 0, 2, 2]}}]}, "for": 1})"),
+        4);
+    EXPECT_EQ(miss.lack, Lack::change);
+    EXPECT_EQ(miss.by, 1);
 }
 
 /// A lamp between a source and a return, each with as many wires as stated.
