@@ -199,7 +199,7 @@ std::string sentenceOf(Miss const& miss, Extreme extreme, std::string const& whe
         Said const pairs{language.number(miss.by, 0)};
         return (miss.by < 1.5
                     ? language.mix("{} still touched {}", {first, second})
-                    : language.mix("{} still touched {}, one of {} pairs that did", {first, second, pairs})) +
+                    : language.mix("{} still touched {}, one of {} such pairs", {first, second, pairs})) +
                when;
     }
     case Lack::time:

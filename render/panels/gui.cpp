@@ -68,12 +68,11 @@ void Gui::followScale() {
         return;
     }
     theme_.colours = palette::inUse();
-    bool const first = theme_.scale <= 0.F;
     theme_.scale = scale;
     applyStyle(scale);
     theme_.fonts = loadFonts(scale);
     ImGui::GetIO().FontDefault = theme_.fonts.body;
-    if (!first) { // the first time the backend does that with everything else
+    if (lettersLoaded_) { // before the first frame the backend does not have the texture of the letters yet
         ImGui_ImplOpenGL3_DestroyFontsTexture();
         ImGui_ImplOpenGL3_CreateFontsTexture();
     }
@@ -151,6 +150,7 @@ void Gui::beginFrame(InputEvents const& input, double seconds) {
         ImGui_ImplSDL2_ProcessEvent(&shown);
     }
     ImGui_ImplOpenGL3_NewFrame();
+    lettersLoaded_ = true;
     ImGui_ImplSDL2_NewFrame();
     auto& io = ImGui::GetIO();
     auto const [width, height] = window_.size();

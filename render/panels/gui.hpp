@@ -62,6 +62,7 @@ private:
 
     Window& window_;
     Theme theme_;
+    bool lettersLoaded_ = false; // into the graphics card, by the backend's first frame
     Context context_;
     std::unique_ptr<Backends> backends_;
 };

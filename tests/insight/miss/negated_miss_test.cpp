@@ -70,7 +70,7 @@ TEST(NegatedMiss, OfATouchIsTheNumberOfPairsThatTouch) {
     EXPECT_TRUE(sentencesOf(one, AnswerLanguage()).front().starts_with("The floor still touched box 0"));
     EXPECT_TRUE(sentencesOf(three, AnswerLanguage())
                     .front()
-                    .starts_with("The floor still touched box 0, one of 3 pairs that did"));
+                    .starts_with("The floor still touched box 0, one of 3 such pairs"));
 }
 
 /// What is left to do of a sequence that was done at once and should not be.

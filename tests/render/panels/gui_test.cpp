@@ -10,6 +10,7 @@
 #include "tests/render/stage.hpp"
 #include "tests/support/sanitizer.hpp"
 
+#include <epoxy/gl.h>
 #include <imgui_stdlib.h>
 
 #include <functional>
@@ -66,6 +67,32 @@ struct Bench {
 
 // Keys are named in body text and, on the page of keys, in small text. Both come from a font that lacks
 // arrows.
+/// How many textures the graphics card has.
+int textures() {
+    unsigned const newest = makeTexture().name();
+    int all = 0;
+    for (unsigned name = 1; name <= newest; ++name) {
+        all += glIsTexture(name) == GL_TRUE ? 1 : 0;
+    }
+    return all;
+}
+
+TEST_F(Panels, FollowTheScaleBeforeTheirFirstFrameWithoutATextureTooMany) {
+    frame([] {});
+    gui_.reset();
+    int const before = textures();
+    gui_ = std::make_unique<Gui>(window(), GuiOptions{.steady = true});
+    float const scale = window().uiScale();
+    window().resize({2560, 1440});
+    ASSERT_NE(window().uiScale(), scale);
+    frame([] {});
+    window().resize({1280, 720});
+    frame([] {});
+    EXPECT_EQ(textures(), before + 1); // the letters
+    gui_.reset();
+    EXPECT_EQ(textures(), before);
+}
+
 TEST_F(Panels, TextOfBothSizesHasTheArrowKeys) {
     if (theme().fonts.builtIn) {
         GTEST_SKIP() << "no font is installed";
