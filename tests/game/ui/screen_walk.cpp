@@ -212,10 +212,11 @@ void walkOthers(Player& player, Look const& look) {
     player.key(SDLK_c);
     restPointer(player);
     look("components");
-    player.open(dataFolder() / "breeze.json");
+    // A mod of the program: for others the panel shows their folder, which is another one in each clone.
+    player.open(levelsFolder().parent_path() / "mods/wind/levels/1-a-fair-wind.json");
     player.key(SDLK_m);
     player.frames(4);
-    player.clickItem("script Dynamics <- Breeze");
+    player.clickItem("script Dynamics <- Wind");
     restPointer(player);
     look("mods");
     player.open(walkedLevel);
