@@ -213,10 +213,9 @@ void walkOthers(Player& player, Look const& look) {
     restPointer(player);
     look("components");
     // A mod of the program: for others the panel shows their folder, which is another one in each clone.
-    player.open(levelsFolder().parent_path() / "mods/wind/levels/1-a-fair-wind.json");
+    player.open(levelsFolder().parent_path() / "mods/pressure-plate/levels/1-four-knocks.json");
     player.key(SDLK_m);
     player.frames(4);
-    player.clickItem("script Dynamics <- Wind");
     restPointer(player);
     look("mods");
     player.open(walkedLevel);
