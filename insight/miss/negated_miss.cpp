@@ -7,6 +7,7 @@
 #include "physics/dynamics/properties/contacts.hpp"
 #include "puzzle/goals/conditions/count.hpp"
 #include "puzzle/goals/conditions/moved.hpp"
+#include "puzzle/goals/conditions/touching.hpp"
 #include "runtime/placement.hpp"
 
 #include <algorithm>
@@ -87,26 +88,10 @@ Miss ofTouching(ConditionMiss const& one, World const& world) {
     if (contacts == nullptr) {
         return made;
     }
-    std::vector<ObjectId> const& as = one.state().subjects();
-    std::vector<ObjectId> const& bs = one.state().objects();
-    auto const isOneOf = [](std::vector<ObjectId> const& all, ObjectId id) {
-        return std::binary_search(all.begin(), all.end(), id);
-    };
-    int pairs = 0;
-    for (std::vector<TouchingPair> const* const list : {&contacts->current, &contacts->brief}) {
-        for (TouchingPair const& pair : *list) {
-            bool const inOrder = isOneOf(as, pair.a) && isOneOf(bs, pair.b);
-            if (!inOrder && !(isOneOf(as, pair.b) && isOneOf(bs, pair.a))) {
-                continue;
-            }
-            if (++pairs == 1) {
-                made.objects = inOrder ? std::vector{pair.a, pair.b} : std::vector{pair.b, pair.a};
-            }
-        }
-    }
-    if (pairs > 0) {
+    if (auto const touches = conditions::wantedTouches(one.state(), *contacts); !touches.empty()) {
+        made.objects = {touches.front().first, touches.front().second};
         made.lack = Lack::touches;
-        made.by = pairs;
+        made.by = static_cast<double>(touches.size());
         made.measure = made.by / (made.by + 1);
     }
     return made;

@@ -15,9 +15,21 @@
 namespace trembler::edit {
 namespace {
 
+using Extent = std::pair<Vec2, Vec2>; // lower left and upper right corner, m
+
+/// Makes an extent, if there is one yet, large enough for another one as well.
+void include(std::optional<Extent>& all, Extent const& other) {
+    auto const& [low, high] = other;
+    if (!all) {
+        all = other;
+    }
+    all->first = {std::min(all->first.x, low.x), std::min(all->first.y, low.y)};
+    all->second = {std::max(all->second.x, high.x), std::max(all->second.y, high.y)};
+}
+
 /// Around all objects that an entry becomes; nothing if none has a shape.
-std::optional<std::pair<Vec2, Vec2>> extentOfPieces(GameData const& data, Json const& entry) {
-    std::optional<std::pair<Vec2, Vec2>> all;
+std::optional<Extent> extentOfPieces(GameData const& data, Json const& entry) {
+    std::optional<Extent> all;
     for (PropertySet const& piece : piecesOf(data, entry)) {
         Shape const* const shape = piece.find<Shape>();
         if (shape == nullptr || faultIn(*shape)) {
@@ -25,19 +37,14 @@ std::optional<std::pair<Vec2, Vec2>> extentOfPieces(GameData const& data, Json c
         }
         auto const* const position = piece.find<Position>();
         auto const* const rotation = piece.find<Rotation>();
-        auto const [low, high] = extentOf(PlacedShape{*shape, position == nullptr ? Vec2{} : position->value,
-                                                      rotation == nullptr ? 0 : rotation->angle});
-        if (!all) {
-            all = {low, high};
-        }
-        all->first = {std::min(all->first.x, low.x), std::min(all->first.y, low.y)};
-        all->second = {std::max(all->second.x, high.x), std::max(all->second.y, high.y)};
+        include(all, extentOf(PlacedShape{*shape, position == nullptr ? Vec2{} : position->value,
+                                          rotation == nullptr ? 0 : rotation->angle}));
     }
     return all;
 }
 
-/// The extent of one entry: lower left and upper right corner.
-std::pair<Vec2, Vec2> extentOfEntry(GameData const& data, Json const& entry) {
+/// The extent of one entry.
+Extent extentOfEntry(GameData const& data, Json const& entry) {
     Vec2 const at = placeOf(entry);
     if (isComposite(data, entry) || entry.contains("flipped")) {
         return extentOfPieces(data, entry).value_or(std::pair(at, at));
@@ -53,23 +60,16 @@ std::pair<Vec2, Vec2> extentOfEntry(GameData const& data, Json const& entry) {
 
 std::optional<Box> extentOfObjects(GameData const& data, Json const& level,
                                    std::vector<std::string> const& names) {
-    std::optional<std::pair<Vec2, Vec2>> all;
+    std::optional<Extent> all;
     std::set<std::string> const wanted(names.begin(), names.end());
     Json const* const list = findList(level, "objects");
     if (list == nullptr) {
         return {};
     }
     for (Json const& entry : *list) {
-        if (!wanted.contains(textOf(entry, "name"))) {
-            continue;
+        if (wanted.contains(textOf(entry, "name"))) {
+            include(all, extentOfEntry(data, entry));
         }
-        auto const [low, high] = extentOfEntry(data, entry);
-        if (!all) {
-            all = {low, high};
-            continue;
-        }
-        all->first = {std::min(all->first.x, low.x), std::min(all->first.y, low.y)};
-        all->second = {std::max(all->second.x, high.x), std::max(all->second.y, high.y)};
     }
     return all ? std::optional(Box{all->first, all->second - all->first}) : std::nullopt;
 }

@@ -1,10 +1,10 @@
 // {"touching": [O, O]}: an object of the first selector touches one of the second. A touch that lasts only a
 // part of a frame counts.
+#include "puzzle/goals/conditions/touching.hpp"
+
 #include "physics/dynamics/properties/body.hpp"
-#include "physics/dynamics/properties/contacts.hpp"
 #include "physics/dynamics/properties/shape.hpp"
 #include "puzzle/goals/checking/whole_level.hpp"
-#include "puzzle/goals/judging/condition_state.hpp"
 #include "puzzle/goals/reading/goal_reader.hpp"
 #include "puzzle/goals/reading/schema_pieces.hpp"
 #include "puzzle/goals/words/goal_text.hpp"
@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 #include <utility>
 
@@ -199,6 +200,21 @@ private:
 };
 
 } // namespace
+
+std::vector<std::pair<ObjectId, ObjectId>> wantedTouches(ConditionState const& state,
+                                                         Contacts const& contacts) {
+    std::map<std::pair<ObjectId, ObjectId>, std::pair<ObjectId, ObjectId>> found; // by contact
+    for (auto const* const pairs : {&contacts.current, &contacts.brief}) {
+        forContacts(*pairs, state, [&](ObjectId a, ObjectId b, TouchingPair const& pair) {
+            found.try_emplace({pair.a, pair.b}, a, b);
+        });
+    }
+    std::vector<std::pair<ObjectId, ObjectId>> touches;
+    for (auto const& [contact, touch] : found) {
+        touches.push_back(touch);
+    }
+    return touches;
+}
 
 ConditionKind const& touching() {
     static TouchingCondition const kind;

@@ -1,29 +1,15 @@
 // What makes frames long is told: bodies in one place before the first frame, by run and by verify.
 #include "tests/game/app/program.hpp"
-
-#include <nlohmann/json.hpp>
+#include "tests/support/boxes.hpp"
 
 namespace trembler::test {
 namespace {
-
-using nlohmann::json;
 
 class SlowFrames : public InAFolder {
 protected:
     /// A level of so many boxes in one place, or side by side.
     [[nodiscard]] std::string boxes(int count, double apart) const {
-        json objects = json::array();
-        for (int i = 0; i < count; ++i) {
-            json const shape = {{"form", "box"}, {"width", 0.1}, {"height", 0.1}};
-            objects.push_back({{"name", "box " + std::to_string(i)},
-                               {"at", {apart * i, 1}},
-                               {"properties", {{"shape", json::array({shape})}}}});
-        }
-        json const all = {{"version", 2},
-                          {"title", "boxes"},
-                          {"world", {{"gravity", {0, -10}}, {"bounds", {-1, -1, 100, 10}}}},
-                          {"objects", objects}};
-        write(at("boxes.json"), all.dump());
+        write(at("boxes.json"), levelOfBoxes(count, apart));
         return at("boxes.json");
     }
 };

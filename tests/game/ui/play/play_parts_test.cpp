@@ -2,8 +2,7 @@
 #include "game/ui/play/play_parts.hpp"
 #include "game/ui/shared/texts.hpp"
 #include "tests/game/ui/player.hpp"
-
-#include <nlohmann/json.hpp>
+#include "tests/support/boxes.hpp"
 
 #include <fstream>
 
@@ -11,23 +10,10 @@ namespace trembler::ui::test {
 namespace play_parts_test {
 namespace {
 
-using nlohmann::json;
-
-/// A level of so many boxes in one place, or side by side.
+/// A file with a level of so many boxes in one place, or side by side.
 std::filesystem::path boxes(int count, double apart) {
-    json objects = json::array();
-    for (int i = 0; i < count; ++i) {
-        json const shape = {{"form", "box"}, {"width", 0.1}, {"height", 0.1}};
-        objects.push_back({{"name", "box " + std::to_string(i)},
-                           {"at", {apart * i, 1}},
-                           {"properties", {{"shape", json::array({shape})}}}});
-    }
-    json const all = {{"version", 2},
-                      {"title", "boxes"},
-                      {"world", {{"gravity", {0, -10}}, {"bounds", {-1, -1, 100, 10}}}},
-                      {"objects", objects}};
     auto const file = testFolder() / "boxes.json";
-    std::ofstream(file) << all.dump();
+    std::ofstream(file) << trembler::test::levelOfBoxes(count, apart);
     return file;
 }
 
