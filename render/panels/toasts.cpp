@@ -49,7 +49,7 @@ void Toasts::draw(double seconds, std::optional<Rectangle> kept) {
         auto const shown =
             static_cast<float>(std::clamp(std::min(toast.age, toast.left) / fadeSeconds, 0.0, 1.0));
         auto const [colour, icon] = lookOf(toast.kind);
-        float const most = 0.6F * screen.x;
+        float const most = 0.4F * screen.x; // fits between the goals and the buttons at the top
         ImVec2 const text = ImGui::CalcTextSize(toast.text.c_str(), nullptr, false, most);
         float const mark = scaled(26);
         float const padding = scaled(13);
