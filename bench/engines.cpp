@@ -156,4 +156,5 @@ int main() {
             fmt::print("\n");
         }
     }
+    return 0;
 }

@@ -124,4 +124,5 @@ int main() {
         measure(objects, false);
         measure(objects, true);
     }
+    return 0;
 }

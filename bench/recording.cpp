@@ -85,4 +85,5 @@ int main() {
                     static_cast<double>(recording.bytes()) / (1 << 20), recording.frames(),
                     static_cast<unsigned long long>(tenMinutes + 1));
     }
+    return 0;
 }

@@ -54,4 +54,5 @@ int main() {
     double const middle = shares.empty() ? 0 : shares[shares.size() / 2];
     table.row("the median of all levels", middle, "%", middle, 10);
     table.print();
+    return 0;
 }

@@ -1,6 +1,6 @@
 # Code that must not compile. trembler_compile_fail(NAME SOURCE EXPECTED_REGEX) adds two cases:
-#   compile_fail.NAME           the compiler refuses SOURCE and its message matches EXPECTED_REGEX
-#   compile_fail.NAME.control   with -DTREMBLER_CONTROL the same file compiles
+#   compile_fail.NAME       the compiler refuses SOURCE and its message matches EXPECTED_REGEX
+#   compile_fail.controls   with -DTREMBLER_CONTROL the files of all cases compile
 # so that the first cannot succeed for a wrong reason, such as a missing header. Let the expression match words
 # of ours, such as a static_assert's: the compilers' own messages differ. In the file the offending
 # line is in `#ifndef TREMBLER_CONTROL`, next to the correct code of the control.
@@ -49,10 +49,9 @@ function(trembler_compile_fail name source expected_regex)
   add_test(NAME compile_fail.${name}
     COMMAND ${CMAKE_COMMAND} "-DEXPECTED=${expected_regex}" -P ${script} -- ${compile} ${file}
     COMMAND_EXPAND_LISTS)
-  add_test(NAME compile_fail.${name}.control COMMAND ${compile} -DTREMBLER_CONTROL ${file}
-    COMMAND_EXPAND_LISTS)
-  set_tests_properties(compile_fail.${name} compile_fail.${name}.control PROPERTIES
+  set_tests_properties(compile_fail.${name} PROPERTIES
     LABELS compile_fail TIMEOUT 3600 FIXTURES_REQUIRED compile_fail_kit)
+  set(trembler_controls ${trembler_controls} ${file} PARENT_SCOPE)
 endfunction()
 
 trembler_compile_fail(sample sample.cpp "a sample refuses by design")
@@ -142,3 +141,11 @@ trembler_compile_fail(caller_forged caller_forged.cpp "caller_.*private|private.
 trembler_compile_fail(onlooker_changes_world onlooker_changes_world.cpp
   "discards qualifiers|not marked const")
 trembler_compile_fail(subscription_copied subscription_copied.cpp "deleted")
+
+include(TremblerJoined)
+trembler_joined(${CMAKE_CURRENT_BINARY_DIR}/compile_fail_controls.cpp ${trembler_controls})
+trembler_syntax_check(compile)
+add_test(NAME compile_fail.controls
+  COMMAND ${compile} -fsyntax-only -DTREMBLER_CONTROL ${CMAKE_CURRENT_BINARY_DIR}/compile_fail_controls.cpp
+  COMMAND_EXPAND_LISTS)
+set_tests_properties(compile_fail.controls PROPERTIES LABELS compile_fail TIMEOUT 3600)

@@ -16,6 +16,9 @@ struct HeatFromColour final : Interaction<HeatFromColour, HeatRole, Reads<Colour
 private:
     bool told_ = false;
 };
-template void Registry::component<HeatFromColour>();
+
+void add(Registry& registry) {
+    registry.component<HeatFromColour>();
+}
 
 } // namespace trembler

@@ -13,6 +13,9 @@ struct Fuel {
 #endif
     double kilograms = 1;
 };
-template void Registry::property<Fuel>();
+
+void add(Registry& registry) {
+    registry.property<Fuel>();
+}
 
 } // namespace trembler

@@ -12,6 +12,9 @@ struct HeatFromGlow final : Interaction<HeatFromGlow, HeatRole, Reads<Glow>> {
 #endif
     void apply(Access&) {}
 };
-template void Registry::component<HeatFromGlow>();
+
+void add(Registry& registry) {
+    registry.component<HeatFromGlow>();
+}
 
 } // namespace trembler

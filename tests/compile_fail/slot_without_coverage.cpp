@@ -18,6 +18,9 @@ struct Stove final : Resolver<Stove, HeatRole, Reads<Colour>, Writes<Heat>, Prov
     using Activation = NeedsAny<Heat>;
     void advance(Access&) {}
 };
-template void Registry::component<Stove>();
+
+void add(Registry& registry) {
+    registry.component<Stove>();
+}
 
 } // namespace trembler

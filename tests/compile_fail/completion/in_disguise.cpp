@@ -17,6 +17,9 @@ struct Warmth final {
     }
 };
 #endif
-template void Registry::completion<Warmth>();
+
+void add(Registry& registry) {
+    registry.completion<Warmth>();
+}
 
 } // namespace trembler

@@ -9,6 +9,9 @@ using Seen = Reads<Colour>;
 #else
 using Seen = Reads<Colour, Heat>;
 #endif
-template void Registry::completion<WarmthAfter<Seen>>();
+
+void add(Registry& registry) {
+    registry.completion<WarmthAfter<Seen>>();
+}
 
 } // namespace trembler

@@ -14,6 +14,9 @@ struct Warmth final : Warming, Completion<Warmth, Reads<>, Adds<Heat>> {
     }
 #endif
 };
-template void Registry::completion<Warmth>();
+
+void add(Registry& registry) {
+    registry.completion<Warmth>();
+}
 
 } // namespace trembler

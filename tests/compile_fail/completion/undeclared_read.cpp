@@ -11,6 +11,9 @@ struct Warmth final : Warming, Completion<Warmth, Reads<>, Adds<Heat>> {
 #endif
     }
 };
-template void Registry::completion<Warmth>();
+
+void add(Registry& registry) {
+    registry.completion<Warmth>();
+}
 
 } // namespace trembler

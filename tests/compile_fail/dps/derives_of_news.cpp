@@ -14,6 +14,9 @@ struct Shine final : Dps<Shine, Reads<Seen>, Derives<Glow>> {
     using Activation = NeedsAll<Heat>;
     void update(Access& access) { access.derive<Glow>().watts.assign(access.read<Seen>().objects.size(), 1); }
 };
-template void Registry::component<Shine>();
+
+void add(Registry& registry) {
+    registry.component<Shine>();
+}
 
 } // namespace trembler
