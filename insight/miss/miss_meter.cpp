@@ -1,6 +1,6 @@
 #include "insight/miss/miss_meter.hpp"
 
-#include "insight/miss/lift.hpp"
+#include "insight/miss/lift/lift.hpp"
 #include "puzzle/goals/read_goals.hpp"
 
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 // The game in its window: shows one screen at a time, and the menu over it.
 #pragma once
 
-#include "game/ui/app/menu.hpp"
+#include "game/ui/app/menu/menu.hpp"
 #include "game/ui/shared/screen.hpp"
 #include "game/ui/shared/ui_context.hpp"
 

@@ -5,7 +5,7 @@
 #include "game/ui/shared/answer_language.hpp"
 #include "game/ui/shared/layout.hpp"
 #include "insight/timeline/marks.hpp"
-#include "insight/why/words.hpp"
+#include "insight/why/words/words.hpp"
 #include "puzzle/session/session.hpp"
 
 #include <optional>
