@@ -1,5 +1,5 @@
-// The page of keys: what each key does on the current screen with the player's bindings, and what the mouse
-// does.
+// The page of keys: what each key does on the current screen with the player's bindings, and the mouse's
+// gestures.
 #pragma once
 
 #include "game/ui/shared/screen.hpp"

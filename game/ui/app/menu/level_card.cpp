@@ -37,7 +37,7 @@ void drawStar(ImDrawList& list, ImVec2 centre, float radius, bool reached) {
                      scaled(1.4F));
 }
 
-/// At most two lines of at most `width` pixels; what does not fit ends in an ellipsis.
+/// At most two lines of at most `width` pixels; a longer text ends in an ellipsis.
 std::vector<std::string> inTwoLines(std::string const& text, float width) {
     std::vector<std::string> lines(1);
     std::size_t start = 0;

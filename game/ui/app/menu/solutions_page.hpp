@@ -1,4 +1,4 @@
-// The page of a level's solutions: load, rename, delete, open a file that somebody sent.
+// The page of a level's solutions: load, rename, delete, open a file from elsewhere.
 #pragma once
 
 #include "game/ui/edit/files/file_browser.hpp"

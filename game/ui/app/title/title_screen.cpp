@@ -151,7 +151,7 @@ void TitleScreen::draw() {
     auto const scale = static_cast<double>(context_.window.uiScale());
     Camera camera;
     camera.viewport = size;
-    // The picture fills what the title and the buttons leave free.
+    // The picture fills the space beside the title and the buttons.
     auto const title = context_.layout.card("title");
     double const left = 24 * scale;
     double const right = size.width - static_cast<double>(buttonsWidth() + 2 * titleMargin) * scale;
