@@ -5,6 +5,7 @@
 #include "game/ui/app/menu/settings_page.hpp"
 #include "tests/game/ui/screen_walk.hpp"
 #include "tests/game/ui/stored_picture.hpp"
+#include "tests/support/read_png.hpp"
 
 #include <SDL_clipboard.h>
 
