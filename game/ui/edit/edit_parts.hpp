@@ -37,7 +37,7 @@ struct EditOptions {
     std::shared_ptr<GameData const> data;
     /// The data for editing a level that names mods, see GameOptions; may be empty.
     std::function<std::shared_ptr<GameData const>(std::filesystem::path const&)> levelData{};
-    /// Called with the new data when the designer has made a part: the game is to know it at once.
+    /// Called with the new data when the designer has made a part, so that the game can use it at once.
     std::function<void(std::shared_ptr<GameData const>)> partsMade{};
     WorldOptions world{};
     std::filesystem::path recovery{}; ///< folder for unsaved work; empty: none is kept

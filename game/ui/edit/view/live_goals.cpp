@@ -43,7 +43,7 @@ void LiveGoals::follow(Session const& session) {
         return; // the states of the last run stay
     }
     if (!ready_) {
-        return; // the run began before anybody looked
+        return; // the run began before the first call
     }
     for (Judged& one : judged_) {
         one.judge->update(world);

@@ -164,7 +164,7 @@ void WhyPanel::pass() {
     fault_ = std::move(found->fault);
     answer_ = std::move(found->answer);
     if (answer_ && !answer_->complete && !answer_->happened) {
-        close(); // it was stopped before it knew anything
+        close(); // it was stopped before it had any result
     }
 }
 

@@ -1,4 +1,4 @@
-// A solution that somebody sent is opened in the game: by a button, without a mouse, or dropped onto the
+// A solution of another player is opened in the game: by a button, without a mouse, or dropped onto the
 // window.
 #include "game/ui/shared/texts.hpp"
 #include "runtime/file/output_file.hpp"
