@@ -12,11 +12,11 @@
 #include "physics/electricity/calls.hpp"
 #include "physics/electricity/properties/electrical.hpp"
 #include "physics/electricity/properties/ratings.hpp"
-#include "physics/electricity/rules/initial_connections.hpp"
 #include "physics/magnetism/properties.hpp"
 #include "physics/material.hpp"
 #include "physics/motor/properties.hpp"
 #include "runtime/component/interaction.hpp"
+#include "tests/support/initial_wire.hpp"
 
 #include <fmt/format.h>
 

@@ -4,10 +4,10 @@
 #include "physics/electricity/calls.hpp"
 #include "physics/electricity/properties/electrical.hpp"
 #include "physics/electricity/register.hpp"
-#include "physics/electricity/rules/initial_connections.hpp"
 #include "runtime/component/interaction.hpp"
 #include "runtime/population/population_resolver.hpp"
 #include "runtime/world/world.hpp"
+#include "tests/support/initial_wire.hpp"
 
 #include <boost/graph/adjacency_list.hpp>
 #include <boost/graph/biconnected_components.hpp>

@@ -13,6 +13,8 @@
 #include <cstdio>
 #include <ctime>
 #include <filesystem>
+#include <limits>
+#include <string>
 #include <vector>
 
 namespace {
@@ -22,6 +24,9 @@ using namespace trembler;
 double cpuSeconds() {
     return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
+
+/// Nothing is thinned out.
+constexpr std::size_t unlimited = std::numeric_limits<std::size_t>::max();
 
 struct Cost {
     std::string level;
@@ -51,7 +56,7 @@ Cost record(GameData const& data, std::string const& path, std::uint64_t frames,
     }
     double const each = 1e6 / static_cast<double>(frames);
     return {std::filesystem::path(path).stem().string(), frame * each, record * each,
-            static_cast<double>(recording.bytesBeforeThinning()) / static_cast<double>(frames)};
+            static_cast<double>(recording.bytes()) / static_cast<double>(frames)};
 }
 
 } // namespace
@@ -62,7 +67,7 @@ int main() {
     for (auto const& entry : std::filesystem::recursive_directory_iterator(TREMBLER_SOURCE_DIR "/levels")) {
         std::string const path = entry.path().string();
         try {
-            insight::Recording recording;
+            insight::Recording recording(unlimited);
             costs.emplace_back(record(data, path, 1280, recording), path);
         } catch (std::exception const&) {
             continue; // no level, or one with mods
@@ -78,10 +83,12 @@ int main() {
     }
     constexpr std::uint64_t tenMinutes = 36000;
     for (std::size_t i = 0; i < std::min<std::size_t>(costs.size(), 2); ++i) {
+        insight::Recording whole(unlimited);
+        (void)record(data, costs[i].second, tenMinutes, whole);
         insight::Recording recording;
         Cost const cost = record(data, costs[i].second, tenMinutes, recording);
         std::printf("%s, ten minutes: %.1f MiB in all, %.1f MiB kept, %zu of %llu frames\n",
-                    cost.level.c_str(), static_cast<double>(recording.bytesBeforeThinning()) / (1 << 20),
+                    cost.level.c_str(), static_cast<double>(whole.bytes()) / (1 << 20),
                     static_cast<double>(recording.bytes()) / (1 << 20), recording.frames(),
                     static_cast<unsigned long long>(tenMinutes + 1));
     }

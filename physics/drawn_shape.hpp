@@ -77,7 +77,7 @@ struct DrawnShape {
     DrawnShading shading = DrawnShading::usual;
     double outline = -1;       ///< pixels at UI scale 1; -1: one of areas, none of lines
     std::string outlineColour; ///< empty: ink with a touch of the colour
-    double raised = 0;         ///< how far it seems to stand above what it lies on; a body has 1
+    double raised = 0;         ///< apparent height above its background, which its shadow shows; a body has 1
     DrawnWhen when = DrawnWhen::always;
     double glow = 0;         ///< m, reach of a light around it
     std::string glowColour;  ///< empty: that of a live wire

@@ -30,8 +30,8 @@ public:
     /// Sets the number of silent blocks before a stream begins, so that its queue does not run empty at once.
     void setCushion(int blocks) { cushion_ = blocks; }
 
-    /// Creates what `streams` streams that begin at the same time need, so that the frame in which they do
-    /// takes no longer for it. To be called after sendTo() and setCushion().
+    /// Creates in advance all OpenAL objects that `streams` streams beginning at the same time need, so that
+    /// the frame in which they begin takes no longer. To be called after sendTo() and setCushion().
     void prepare(int streams);
 
     /// Whether so many blocks are queued that the next block should be left out.

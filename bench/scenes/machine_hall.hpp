@@ -10,13 +10,13 @@
 #include "physics/dynamics/properties/joint.hpp"
 #include "physics/dynamics/properties/shape.hpp"
 #include "physics/electricity/properties/electrical.hpp"
-#include "physics/electricity/rules/initial_connections.hpp"
 #include "physics/gravity/properties.hpp"
 #include "physics/magnetism/properties.hpp"
 #include "physics/material.hpp"
 #include "physics/motor/properties.hpp"
 #include "runtime/placement.hpp"
 #include "runtime/world/store.hpp"
+#include "tests/support/initial_wire.hpp"
 
 #include <fmt/format.h>
 

@@ -13,10 +13,13 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace trembler {
 namespace {
@@ -93,14 +96,21 @@ void addComponentsCommand(CLI::App& program, int& result) {
 
 void addSchemaCommand(CLI::App& program, int& result) {
     auto const json = std::make_shared<OutputTarget>();
-    CLI::App* const command = program.add_subcommand("schema", "Print the JSON Schema of a level file");
+    auto const of = std::make_shared<std::string>(authoredFiles.front());
+    CLI::App* const command =
+        program.add_subcommand("schema", "Print the JSON Schema of a level file, a part or a chapter");
+    command->add_option("KIND", *of, "The kind of file: level, part or chapter (default: level)")
+        ->type_name("")
+        ->check(CLI::IsMember(std::vector<std::string>(authoredFiles.begin(), authoredFiles.end())));
     addOptionalFile(*command, "--json", *json, "Write it to FILE (default: the terminal)");
     command->footer(outputConvention);
-    command->callback([json, &result] {
+    command->callback([json, of, &result] {
         result = guarded([&] {
+            auto const kind = static_cast<AuthoredFile>(
+                std::find(authoredFiles.begin(), authoredFiles.end(), *of) - authoredFiles.begin());
             Outputs outputs;
             OutputFile* const file = outputs.add("--json", *json);
-            (file == nullptr ? std::cout : file->stream()) << printed(publishedSchema());
+            (file == nullptr ? std::cout : file->stream()) << printed(publishedSchema(kind));
             outputs.finish();
             return exitSolved;
         });

@@ -1,5 +1,5 @@
-// trembler keys: lists every command of the window with its keys, and what the mouse does; docs/players.md is
-// made from these lists.
+// trembler keys: lists every command of the window with its keys, and the mouse's gestures; docs/players.md
+// is made from these lists.
 #include "game/app/commands.hpp"
 #include "game/app/options/outputs.hpp"
 

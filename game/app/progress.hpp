@@ -18,7 +18,6 @@ public:
     Progress(Progress const&) = delete;
     Progress& operator=(Progress const&) = delete;
 
-    [[nodiscard]] bool watched() const { return watched_; }
     /// Shows "12 of 100 frames", at the intervals above.
     void frames(std::uint64_t done, std::uint64_t of);
     /// Shows a text at once; for steps that may take long.

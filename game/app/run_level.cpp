@@ -148,7 +148,7 @@ void plotWith(RunOptions& run, insight::Probes& probes, std::vector<Subscription
     };
 }
 
-/// Tells of what makes frames long: bodies in one place before the first frame, and every frame that took
+/// Reports the causes of long frames: bodies in one place before the first frame, and every frame that took
 /// long.
 void tellOfSlowness(RunOptions& run, Session const& session, Progress& progress) {
     Store const& store = session.world().store();

@@ -78,7 +78,7 @@ public:
                                             : std::make_unique<insight::Journal>(arguments.resume, *team_)),
           workers_(
               {.threads = 1, .team = team_.get(), .journal = journal_.get(), .stop = {}, .progress = {}}) {
-        if (journal_) { // only then do keys have to tell states of a file apart
+        if (journal_) { // only then must keys differ between states of a file
             for (fs::path const& level : levels) {
                 keys_.push_back(verificationKey(data, level, detail_));
             }

@@ -5,7 +5,7 @@
 #include "game/app/options/number_options.hpp"
 #include "game/app/options/outputs.hpp"
 #include "game/app/progress.hpp"
-#include "insight/why/words.hpp"
+#include "insight/why/words/words.hpp"
 #include "puzzle/campaign/as_played.hpp"
 #include "puzzle/goals/words/goal_text.hpp"
 #include "puzzle/language/catalogue.hpp"

@@ -85,7 +85,7 @@ int play(PlayArguments const& arguments) {
     return result;
 }
 
-/// The files that the editor opens are its own affair: it shows what is wrong with one.
+/// Files for the editor are not read here: it opens a wrong file, too, and shows its errors.
 int editLevels(PlayArguments const& arguments) {
     GameData const gameData;
     ui::PlayOptions options;

@@ -16,12 +16,13 @@ namespace trembler {
 class FileWatch {
 public:
     struct Change {
-        std::size_t file = 0;            ///< its place in the list
-        std::optional<std::string> text; ///< what it holds now; nothing: it is gone or cannot be read
+        std::size_t file = 0; ///< its place in the list
+        std::optional<std::string>
+            text; ///< its present contents; nothing: it does not exist or cannot be read
     };
 
-    /// Changes count from what the files hold now. Of longer files than `mostBytes` only so many bytes and
-    /// one more are read.
+    /// Changes count from the present contents of the files. Of longer files than `mostBytes` only so many
+    /// bytes and one more are read.
     FileWatch(std::vector<std::filesystem::path> files, std::size_t mostBytes);
 
     /// The changes that were completed since the last look, in the order of the list.

@@ -164,7 +164,8 @@ std::optional<std::string> LiveMods::put(std::size_t number, std::shared_ptr<lua
     return std::nullopt;
 }
 
-// A world was built for what its scripts read then. What they read besides has to be computed, too.
+// A world computes the properties that its scripts read when it was built. Properties that they read since
+// then must be computed, too.
 void LiveMods::wantReads() {
     reads_.clear();
     for (ModScript const& script : scripts_) {

@@ -14,7 +14,7 @@
 
 namespace trembler {
 
-/// An object that names a script, and what its parameters are for it.
+/// An object that names a script, and the script's parameters for it.
 struct ScriptUser {
     LastingObject object;
     std::string name;
@@ -29,7 +29,7 @@ struct ModScript {
     std::map<std::string, lua::Value> defaults; ///< by parameter: changed here, for all that state none
     std::deque<std::string> log;                ///< the last lines that it wrote, the newest last
     std::optional<lua::ScriptMessage> failure;  ///< why it is switched off in this run
-    std::vector<std::string> refused;           ///< what is wrong with the file as it was last saved
+    std::vector<std::string> refused;           ///< the errors of the file as it was last saved
     int saved = 0;                              ///< how often another version took over
 };
 
@@ -40,7 +40,7 @@ struct ModMessage {
 };
 
 /// Between the frames of one session. A script whose file is saved is replaced in the running world; if the
-/// new version is wrong, the old one goes on and the player gets a message. A run in which a script was
+/// new version is wrong, the old one stays in use and the player gets a message. A run in which a script was
 /// replaced, switched or given other parameters counts as no solution (Session::altered()); a later run
 /// counts if the scripts are as their files say and the parameters as the level states them. Needs no window.
 /// Not thread-safe.
@@ -54,7 +54,7 @@ public:
 
     [[nodiscard]] std::vector<ModScript> const& scripts() const { return scripts_; }
 
-    /// Collects what the scripts have said, and looks at their files when enough of `seconds` have passed.
+    /// Collects the scripts' messages, and looks at their files when enough of `seconds` have passed.
     void pass(double seconds);
     /// Looks at the files now.
     void look();
@@ -83,7 +83,7 @@ private:
         LastingObject object;
         std::string parameter;
         lua::Value value;
-        lua::Value stated; // what counted before
+        lua::Value stated; // the values in effect before
     };
     void collect();
     void reload(std::size_t script, FileWatch::Change const& change);

@@ -1,6 +1,6 @@
 #include "insight/miss/aftermath.hpp"
 
-#include "insight/miss/lift.hpp"
+#include "insight/miss/lift/lift.hpp"
 
 #include <algorithm>
 #include <string_view>

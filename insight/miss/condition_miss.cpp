@@ -1,7 +1,7 @@
 #include "insight/miss/condition_miss.hpp"
 
 #include "insight/miss/area_distance.hpp"
-#include "insight/miss/current_miss.hpp"
+#include "insight/miss/current/current_miss.hpp"
 #include "insight/miss/moved_ways.hpp"
 #include "insight/miss/negated_miss.hpp"
 #include "insight/miss/obstacles.hpp"

@@ -1,7 +1,7 @@
 // How far a goal, or one of its conditions, was from being met.
 #pragma once
 
-#include "insight/miss/circuit_gaps.hpp"
+#include "insight/miss/current/circuit_gaps.hpp"
 #include "runtime/object/object_id.hpp"
 #include "runtime/trace/event.hpp"
 

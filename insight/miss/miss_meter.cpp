@@ -1,6 +1,6 @@
 #include "insight/miss/miss_meter.hpp"
 
-#include "insight/miss/lift.hpp"
+#include "insight/miss/lift/lift.hpp"
 #include "puzzle/goals/read_goals.hpp"
 
 #include <fmt/format.h>
@@ -87,24 +87,6 @@ void MissMeter::look(World const& world) {
             keepNearest(i, std::move(now), world);
         }
     }
-}
-
-MeasuredRun measuredRun(LevelRuns const& runs, Variation const& variation, RunLimits const& limits) {
-    MeasuredRun measured;
-    std::unique_ptr<MissMeter> meter;
-    RunObserver observer;
-    observer.begin = [&](LevelRun const& run) {
-        meter = std::make_unique<MissMeter>(runs.level(), run.world());
-    };
-    observer.frame = [&](LevelRun const& run) {
-        meter->look(run.world());
-        return true;
-    };
-    measured.run = runs.run(variation, limits, observer);
-    if (meter != nullptr && !measured.run.fault) {
-        measured.miss = meter->result();
-    }
-    return measured;
 }
 
 } // namespace trembler::insight

@@ -67,14 +67,4 @@ private:
     std::uint64_t ticks_ = 0;
 };
 
-/// A run and how nearly it solved the level.
-struct MeasuredRun {
-    RunResult run;
-    LevelMiss miss; ///< without goals, and of measure 1, if the run has a fault
-};
-
-/// Runs a variation and measures it. A pure function of its arguments, for several threads at once.
-[[nodiscard]] MeasuredRun measuredRun(LevelRuns const& runs, Variation const& variation,
-                                      RunLimits const& limits);
-
 } // namespace trembler::insight

@@ -1,9 +1,9 @@
 #include "insight/miss/negated_miss.hpp"
 
 #include "insight/miss/area_distance.hpp"
-#include "insight/miss/current_miss.hpp"
+#include "insight/miss/current/current_miss.hpp"
+#include "insight/miss/current/ways_of_current.hpp"
 #include "insight/miss/moved_ways.hpp"
-#include "insight/miss/ways_of_current.hpp"
 #include "physics/dynamics/properties/contacts.hpp"
 #include "puzzle/goals/conditions/count.hpp"
 #include "puzzle/goals/conditions/moved.hpp"

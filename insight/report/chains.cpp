@@ -2,7 +2,7 @@
 
 #include "insight/trial/solution_text.hpp"
 #include "insight/trial/trial.hpp"
-#include "insight/why/answer_text.hpp"
+#include "insight/why/words/answer_text.hpp"
 #include "puzzle/goals/words/goal_text.hpp"
 
 #include <fmt/format.h>

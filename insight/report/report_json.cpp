@@ -1,5 +1,5 @@
 #include "insight/report/report_text.hpp"
-#include "insight/why/words.hpp"
+#include "insight/why/words/words.hpp"
 #include "runtime/level/write/write_level.hpp"
 
 #include <nlohmann/json.hpp>

@@ -1,6 +1,6 @@
 #include "insight/report/report_text.hpp"
 
-#include "insight/why/words.hpp"
+#include "insight/why/words/words.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

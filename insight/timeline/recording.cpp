@@ -23,7 +23,7 @@ void Recording::clear() {
     structure_ = 0;
     blocks_.clear();
     loose_.clear();
-    packedBytes_ = everPacked_ = 0;
+    packedBytes_ = 0;
     open_.clear();
 }
 
@@ -143,7 +143,6 @@ void Recording::pack() {
     Block block{std::make_shared<PackedFrames const>(std::span(loose_.begin(), end)), 1};
     loose_.erase(loose_.begin(), end);
     packedBytes_ += block.packed->bytes();
-    everPacked_ += block.packed->bytes();
     blocks_.push_back(std::move(block));
     std::size_t const loose = 2 * looseBytes(); // by when they are packed there are twice as many
     while (packedBytes_ + loose > mostBytes_ && blocks_.size() > 1) {

@@ -69,8 +69,6 @@ public:
     [[nodiscard]] std::size_t frames() const;
     /// Bytes of memory in use for frames, without the block that is being read.
     [[nodiscard]] std::size_t bytes() const { return packedBytes_ + looseBytes(); }
-    /// The same if nothing had been thinned out, for measurements.
-    [[nodiscard]] std::size_t bytesBeforeThinning() const { return everPacked_; }
 
 private:
     struct Block {
@@ -104,7 +102,6 @@ private:
     std::vector<Block> blocks_;           // ascending
     std::vector<RecordedFrame> loose_;    // after them; begins with frame 0
     std::size_t packedBytes_ = 0;
-    std::size_t everPacked_ = 0;
     struct Open {
         std::shared_ptr<PackedFrames const> of;
         std::vector<RecordedFrame> frames;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "insight/miss/miss_meter.hpp"
-#include "insight/why/story.hpp"
+#include "insight/why/story/story.hpp"
 
 #include <cstdint>
 #include <functional>

@@ -1,8 +1,8 @@
 #include "insight/why/answer.hpp"
-#include "insight/why/candidates.hpp"
-#include "insight/why/fold_repeats.hpp"
-#include "insight/why/question_target.hpp"
-#include "insight/why/second_runs.hpp"
+#include "insight/why/runs/candidates.hpp"
+#include "insight/why/runs/question_target.hpp"
+#include "insight/why/runs/second_runs.hpp"
+#include "insight/why/story/fold_repeats.hpp"
 
 #include <algorithm>
 #include <set>

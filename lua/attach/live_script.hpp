@@ -55,7 +55,7 @@ private:
 
     std::shared_ptr<Script const> script_;
     std::shared_ptr<ScriptLog> log_;
-    std::string name_; // what the description refers to: it outlives single versions
+    std::string name_; // the name to which the description refers; it outlives single versions
     std::string mod_;
     std::string text_;
     ComponentInfo info_;
@@ -64,7 +64,7 @@ private:
     std::vector<Instance*> instances_;
 };
 
-/// The scripts of a registry, and what it takes to read others.
+/// The scripts of a registry, and the data needed to read other versions of them.
 class LiveScripts {
 public:
     explicit LiveScripts(Vocabulary vocabulary) : vocabulary_(std::move(vocabulary)) {}
@@ -76,8 +76,8 @@ public:
     [[nodiscard]] LiveScript* find(std::string_view name) const;
     [[nodiscard]] Vocabulary const& vocabulary() const { return vocabulary_; }
 
-    /// Reads a text as another version of a script. Adds to `problems` what is wrong with it, with file and
-    /// line: another name or resolver too, as a registry has those for good. nullptr if anything is.
+    /// Reads a text as another version of a script. Adds its errors to `problems`, with file and line;
+    /// another name or resolver is one, as these cannot change in a registry. nullptr if anything is.
     [[nodiscard]] std::shared_ptr<Script const> read(LiveScript const& script, std::string text,
                                                      Problems& problems) const;
     /// A version with other defaults of its parameters. Parameters that it has not, or that are of another

@@ -1,4 +1,4 @@
-// Values of a script's parameters: what they may be, and as objects state them.
+// Values of a script's parameters: the allowed ones, and those that objects state.
 #pragma once
 
 #include "lua/attach/scripts_property.hpp"

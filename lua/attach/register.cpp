@@ -91,7 +91,7 @@ std::shared_ptr<LiveScripts const> registerMods(Registry& registry, std::span<Mo
         registry.extension(mod.name);
         for (Manifest const& manifest : mod.interactions) {
             if (manifest.name.empty()) {
-                continue; // what is wrong with it has been said
+                continue; // its errors have been reported
             }
             auto const [owner, isNew] = taken.emplace(manifest.name, fmt::format("the mod '{}'", mod.name));
             if (!isNew) {

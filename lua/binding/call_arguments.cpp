@@ -113,7 +113,7 @@ private:
         std::string const kind = kindOf(L_, index);
         refuse(place, kind == "nil" ? "is nil" : fmt::format("is a {}", kind), inItsUnit(place, expected));
     }
-    /// "a number": what stands there, for people.
+    /// "a number": the kind of a value, in words.
     [[nodiscard]] std::string kindAt(int index) const {
         if (objectAt_(L_, index)) {
             return "an object";

@@ -31,9 +31,9 @@ enum class ArgumentForm {
     numbers,
 };
 
-/// Reads the arguments of a call from the stack, all of it. Nils at the end are as if they were not there.
-/// Raises a Lua error, in words, if one is missing, has another type, is not finite or out of range, or is an
-/// object that is gone.
+/// Reads the arguments of a call from the stack, all of it. Nils at the end are ignored. Raises a Lua error,
+/// in words, if one is missing, has another type, is not finite or out of range, or is an object that no
+/// longer exists.
 void readArguments(lua_State* L, Sandbox& sandbox, Store const& store, CallDescription const& call,
                    ObjectAt const& objectAt, CallBytes& into, ArgumentForm form = ArgumentForm::stated);
 

@@ -82,7 +82,7 @@ private:
              .info = &info,
              .fields = info.fields == nullptr ? std::vector<FieldPlace>() : info.fields()});
     }
-    // What the host itself reads for the script; under no name that a script can write.
+    // Properties that the host itself reads for the script, under names that no script can write.
     void addOwn(PropertyInfo const& info) { add("", info); }
     void needOfObjects(std::string const& name, std::vector<std::size_t>& list) {
         auto const at = find(name);

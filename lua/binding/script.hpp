@@ -1,4 +1,4 @@
-// A script whose names have been found: what a component is made from.
+// A script whose names have been resolved: a component is made from it.
 #pragma once
 
 #include "lua/binding/vocabulary.hpp"
@@ -28,8 +28,8 @@ struct Script {
     Manifest manifest;
     std::string effect; ///< of its ComponentInfo: the mod
     std::vector<DeclaredProperty> reads;
-    std::vector<std::size_t> first;  ///< places in reads: what an object, or the first of a pair, has
-    std::vector<std::size_t> second; ///< what the second of a pair has
+    std::vector<std::size_t> first;  ///< places in reads: properties of an object, or of the first of a pair
+    std::vector<std::size_t> second; ///< properties of the second of a pair
     RoleInfo const* role = nullptr;
     std::set<std::string, std::less<>> words; ///< in its text
     std::unique_ptr<ComponentInfo> info;      ///< its texts are those in here
@@ -38,8 +38,8 @@ struct Script {
     [[nodiscard]] std::vector<std::string> readNames() const;
 };
 
-/// Finds what a manifest names. Adds what is not there to `problems`, with file, line and a suggestion; the
-/// script is then not to be used.
+/// Finds the properties and the resolver that a manifest names. Adds unknown names to `problems`, with file,
+/// line and a suggestion; the script is then not to be used.
 [[nodiscard]] std::shared_ptr<Script const> declare(Manifest manifest, std::string effect,
                                                     Vocabulary const& vocabulary, Problems& problems);
 

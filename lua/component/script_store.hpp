@@ -22,14 +22,14 @@ public:
     [[nodiscard]] std::optional<std::size_t> scriptField(std::string_view name) const;
     [[nodiscard]] Value const& ofObject(ObjectId id, std::size_t field) const;
     [[nodiscard]] Value const& ofScript(std::size_t field) const { return script_[field]; }
-    /// Sets a field; returns what is wrong with the value, in words, or nothing.
+    /// Sets a field; returns the fault of the value, in words, or nothing.
     [[nodiscard]] std::string setOfObject(ObjectId id, std::size_t field, Value value);
     [[nodiscard]] std::string setOfScript(std::size_t field, Value value);
-    /// Takes over from the store of another version of the script what both declare: the fields that have
-    /// the same name and the same kind of value, and the place in the sequence of random(). The others have
-    /// their initial values.
+    /// Takes over, from the store of another version of the script, all that both declare: the fields that
+    /// have the same name and the same kind of value, and the place in the sequence of random(). The others
+    /// have their initial values.
     void adopt(ScriptStore const& before);
-    /// Forgets the objects that are gone.
+    /// Forgets the objects that no longer exist.
     void keepOnly(std::function<bool(ObjectId)> const& alive);
 
     /// The next of a sequence that depends on the script's name and on how many it had before: in [0, 1).

@@ -60,8 +60,8 @@ void ScriptedInteraction::bindReads(Store& store) {
     }
 }
 
-/// Lets the world pass it by for as long as hasWork() is false. To be called after every change of what that
-/// depends on.
+/// Lets the world pass it by for as long as hasWork() is false. To be called after every change of data on
+/// which hasWork() depends.
 void ScriptedInteraction::sleep() {
     if (off_ || resting_) {
         waitFor({});

@@ -17,10 +17,10 @@ struct Contacts;
 
 namespace trembler::lua {
 
-/// Like any other interaction it is applied when what it reads has changed, and its held calls stand until
-/// then. A script that fails is switched off: its calls are taken back, and it is not applied again in this
-/// world. That is part of the world's state, as all of it follows from the state: instructions and bytes are
-/// counted, not time.
+/// Like any other interaction it is applied when a property that it reads has changed, and its held calls
+/// stay in effect until then. A script that fails is switched off: its calls are taken back, and it is not
+/// applied again in this world. That is part of the world's state, as all of it follows from the state:
+/// instructions and bytes are counted, not time.
 class ScriptedInteraction : public Component {
 public:
     ScriptedInteraction(std::shared_ptr<Script const> script, std::shared_ptr<ScriptLog> log);
@@ -39,9 +39,9 @@ public:
                         std::shared_ptr<ScriptLog> log);
     /// Goes on with another version, which calls the same resolver. `store` is that of bind(). The fields of
     /// its store that both versions declare with the same kind keep their values. The held calls of the old
-    /// version stand until the first turn of the new one, which is in the next frame.
+    /// version stay in effect until the first turn of the new one, which is in the next frame.
     void replace(Store& store, std::shared_ptr<Script const> script);
-    /// Takes back its calls and lets it rest, or goes on.
+    /// Takes back its calls and lets it rest, or lets it continue.
     void setOn(bool on);
     /// Whether it was switched off because it failed.
     [[nodiscard]] bool failed() const { return off_; }

@@ -1,4 +1,5 @@
-// What happens to a scripted interaction between two frames, when its file is saved or a player changes it.
+// Changes of a scripted interaction between two frames: its file is saved, or a player switches it or sets
+// its parameters.
 #include "lua/component/scripted_interaction.hpp"
 
 #include <utility>

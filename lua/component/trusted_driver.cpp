@@ -1,6 +1,6 @@
 // The turns of trusted scripts: a loop in Lua that LuaJIT compiles together with the script's function. It
 // reads the columns where they are and gathers calls where CallGatherer keeps them. It gives the script the
-// same tables with the same values as applyToEach(), so what a script does is the same, to the bits.
+// same tables with the same values as applyToEach(), so the script's calls are the same, bit for bit.
 #include "lua/component/driver_calls.hpp"
 #include "lua/component/turn_binding.hpp"
 

@@ -145,7 +145,7 @@ void Turns::Binding::applyToEach(lua_State* L, int apply) {
             arguments[count++] = lua_gettop(L);
         }
     }
-    count = std::min(count, sandbox_.source().parameters); // what it does not look at need not be given
+    count = std::min(count, sandbox_.source().parameters); // parameters that it does not read need not be set
     if (driver_ != 0) {                                    // it has shown other objects since
         gatherer_.close();                                 // its functions would gather calls
         for (Slot& slot : slots_) {

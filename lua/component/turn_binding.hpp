@@ -15,9 +15,9 @@
 
 namespace trembler::lua {
 
-/// What a script sees of an object are tables in which the host writes the values of each object in turn, so
-/// reading costs no call of C. An undeclared name is an error, by a function for the keys that are not there.
-/// A script that assigns to no field of a table sees these tables themselves. Any other one sees empty,
+/// A script sees an object as tables into which the host writes the values of each object in turn, so reading
+/// costs no call of C. An undeclared name is an error, by a function for the keys that are not there. A
+/// script that assigns to no field of a table sees these tables themselves. Any other one sees empty,
 /// read-only tables whose metatables lead to them, so nothing that it does to the tables can last.
 class Turns::Binding {
 public:
@@ -33,7 +33,7 @@ private:
     struct Shown {
         std::size_t read = 0;  // its place in the script's reads
         int values = 0;        // reference to the table of its fields
-        int proxy = 0;         // reference to what the script sees
+        int proxy = 0;         // reference to the table that the script sees
         bool required = false; // every target has it
         bool present = false;  // in the table of the object's properties
         std::uint32_t row = ColumnBase::absent;
@@ -108,8 +108,9 @@ private:
     void drive(lua_State* L, int apply);
     int fillHere(lua_State* L);
 
-    // What scripts call. None keeps an object with a destructor while it calls what may raise an error, but
-    // for strings and lists, which Lua's errors unwind like exceptions on the platforms that it is built for.
+    // The functions that scripts call. None keeps an object with a destructor while it calls a function that
+    // may raise an error, but for strings and lists, which Lua's errors unwind like exceptions on the
+    // platforms that it is built for.
 
     // Reading properties: turn_properties.cpp.
     [[nodiscard]] static std::string keyAt(lua_State* L, int index);
@@ -168,12 +169,12 @@ private:
     int frame_ = 0;
     int frameValues_ = 0;
     int world_ = 0;
-    int worldCache_ = 0; // what the world has shown in this turn
+    int worldCache_ = 0; // the world's values that were read in this turn
     int driver_ = 0;     // 0: none
     int keyX_ = 0;       // indices on the stack during a turn
     int keyY_ = 0;
     bool rehearsed_ = false;
-    std::vector<void const*> pointers_; // for compiled code: ids, then data and rows of what is shown
+    std::vector<void const*> pointers_; // for compiled code: ids, then data and rows of the shown columns
     std::array<std::vector<ObjectId>, 2> ids_;
     std::vector<std::uint8_t> fresh_;   // whether a target has other parameters than the one before
     std::vector<std::uint64_t> rowsOf_; // structure versions of the columns for which rows were found

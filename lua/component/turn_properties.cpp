@@ -1,4 +1,5 @@
-// Properties as a script reads them where its tables do not hold them in advance, and what it may not read.
+// Properties that a script reads although its tables do not hold them in advance, and errors for properties
+// that it may not read.
 #include "lua/component/turn_binding.hpp"
 #include "runtime/level/json/suggestion.hpp"
 

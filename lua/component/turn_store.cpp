@@ -1,4 +1,4 @@
-// What a script is given besides objects and calls: its parameters, its store, and the frame.
+// A script's parameters, its store, and the frame.
 #include "lua/component/turn_binding.hpp"
 #include "lua/sandbox/stack_values.hpp"
 #include "runtime/level/json/suggestion.hpp"

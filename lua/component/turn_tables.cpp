@@ -15,7 +15,7 @@ void Turns::Binding::get(lua_State* L, int reference) {
     lua_rawgeti(L, LUA_REGISTRYINDEX, reference);
 }
 
-/// Pushes what a script sees of the table on top of the stack, which stays below it.
+/// Pushes the script's view of the table on top of the stack; the table stays below it.
 void Turns::Binding::pushShown(lua_State* L) {
     if (!direct_) {
         pushProxy(L);

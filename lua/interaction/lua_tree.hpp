@@ -12,9 +12,9 @@ struct lua_State;
 namespace trembler::lua {
 
 /// The value at `index`, counted from the bottom of the stack. A table with both a list and keys comes out as
-/// its keys only; tables more than six deep, and what is no boolean, number, text, vector, function or table,
-/// come out as null. `depth` is that of the value itself, 0 at first. Counts instructions; raises a Lua error
-/// beyond their limit.
+/// its keys only; tables more than six deep, and values that are no boolean, number, text, vector, function
+/// or table, come out as null. `depth` is that of the value itself, 0 at first. Counts instructions; raises a
+/// Lua error beyond their limit.
 [[nodiscard]] nlohmann::json treeOf(lua_State* L, int index, int depth);
 /// Whether a value of the tree is a function.
 [[nodiscard]] bool isFunction(nlohmann::json const& value);

@@ -1,4 +1,4 @@
-// Manifests: running a script once to hear what it states of itself, and where a word stands in it.
+// Manifests: running a script once to get its statements about itself, and finding the line of a word in it.
 #include "lua/interaction/manifest.hpp"
 
 #include "lua/interaction/lua_tree.hpp"

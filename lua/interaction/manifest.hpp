@@ -21,7 +21,7 @@ struct Parameter {
     double maximum = 1e300;
     std::string unit;
     std::string text;                   ///< for people
-    std::vector<std::string> choices{}; ///< of a text: what it can be; empty: anything
+    std::vector<std::string> choices{}; ///< of a text: the allowed values; empty: any
 };
 
 /// A field that lasts from turn to turn.
@@ -30,7 +30,7 @@ struct StoreField {
     Value initial;
 };
 
-/// To what a script is applied.
+/// The targets to which a script is applied.
 enum class Application : std::uint8_t {
     each,  ///< every object that has certain properties
     pairs, ///< every two objects, the one with certain properties and the other with certain others
@@ -39,7 +39,7 @@ enum class Application : std::uint8_t {
 
 struct Manifest {
     std::string name;               ///< "Dynamics <- Wind"
-    std::string text;               ///< what it does, for people
+    std::string text;               ///< its description for people
     std::string calls;              ///< the role of its one resolver
     std::vector<std::string> reads; ///< names of properties
     Application application = Application::each;
@@ -66,8 +66,8 @@ struct Manifest {
     [[nodiscard]] Diagnostic problem(std::string_view word, std::string message, std::string expected) const;
 };
 
-/// Reads what a script states of itself. Adds everything that is wrong to `problems`, with file and line.
-/// Whether there are such properties and such a resolver is not looked at: see declare().
+/// Reads a script's statements about itself. Adds all errors to `problems`, with file and line. Does not
+/// check whether the properties and the resolver exist: see declare().
 [[nodiscard]] Manifest readManifest(std::string source, std::string file, Problems& problems);
 /// The same with a file.
 [[nodiscard]] Manifest loadManifest(std::filesystem::path const& path, Problems& problems);

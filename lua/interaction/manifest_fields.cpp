@@ -1,4 +1,4 @@
-// The fields of a table in a manifest: names, texts and flags, and what is wrong with them.
+// The fields of a table in a manifest: names, texts and flags, and their errors.
 #include "lua/interaction/manifest_fields.hpp"
 
 #include "runtime/level/json/suggestion.hpp"

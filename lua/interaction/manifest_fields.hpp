@@ -1,4 +1,4 @@
-// The fields of a table in a manifest: names, texts and flags, and what is wrong with them.
+// The fields of a table in a manifest: names, texts and flags, and their errors.
 #pragma once
 
 #include "lua/interaction/manifest.hpp"
@@ -12,8 +12,8 @@
 
 namespace trembler::lua {
 
-/// Reads single fields out of a manifest's tables (see treeOf()). What is wrong is added to the problems, at
-/// the line of the manifest in which the word in question stands.
+/// Reads single fields out of a manifest's tables (see treeOf()). Errors are added to the problems, at the
+/// line of the wrong word in the manifest.
 class ManifestFields {
 public:
     /// Both must outlive it.

@@ -256,9 +256,9 @@ private:
         limit("creations", manifest_.limits.creations, most.creations);
         limit("log_lines", manifest_.limits.logLines, most.logLines);
         constexpr std::size_t least = std::size_t{1}
-                                      << 19U; // what a state needs before any script runs in it
+                                      << 19U; // bytes that a state needs before any script runs in it
         manifest_.limits.memory = std::max(manifest_.limits.memory, least);
-        // What it may have at a time is of no use if it may not allocate as much.
+        // A limit of the memory in use has no effect above the limit of all that may be allocated.
         manifest_.limits.allocation = std::max(manifest_.limits.allocation, manifest_.limits.memory);
     }
 

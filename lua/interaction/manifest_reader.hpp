@@ -7,8 +7,8 @@
 
 namespace trembler::lua {
 
-/// Fills a manifest, which has its file and its source already, with what the script has returned (see
-/// treeOf()). Adds everything that is wrong to `problems`.
+/// Fills a manifest, which has its file and its source already, with the values that the script has returned
+/// (see treeOf()). Adds all errors to `problems`.
 void readInto(Manifest& manifest, nlohmann::json const& all, Problems& problems);
 
 } // namespace trembler::lua

@@ -15,7 +15,7 @@ bool isPartOfAName(char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
 }
 
-/// The text without comments, so that what only they mention is not taken for used. Strings stay.
+/// The text without comments, so that a name that only comments mention does not count as used. Strings stay.
 std::string withoutComments(std::string_view text) {
     std::string kept;
     for (std::size_t i = 0; i < text.size(); ++i) {

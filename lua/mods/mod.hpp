@@ -16,7 +16,7 @@ struct Mod {
     std::string version;
     std::string author;
     std::string licence;
-    std::string text;               ///< what it is, for people
+    std::string text;               ///< its description for people
     std::vector<std::string> needs; ///< other mods
     std::filesystem::path folder;
     bool bundled = false; ///< it came with the program; set where it is loaded
@@ -46,8 +46,8 @@ struct Mod {
 /// Every mod's folder in those, in order of names; of two of one name the first that is found.
 [[nodiscard]] std::vector<std::filesystem::path> listMods(std::span<std::filesystem::path const> folders);
 
-/// The mods with the given names and the mods that these need, in order of their names. What is not there or
-/// wrong is added to `problems`, `by` being the file that needs them.
+/// The mods with the given names and the mods that these need, in order of their names. Missing and wrong
+/// mods are added to `problems`; `by` is the file that needs them.
 [[nodiscard]] std::vector<Mod> findMods(std::span<std::string const> names,
                                         std::span<std::filesystem::path const> folders, std::string const& by,
                                         Problems& problems);

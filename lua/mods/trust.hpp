@@ -1,4 +1,4 @@
-// Which mods are trusted, and how much scripts may ask for: what the player has decided, in a file of the
+// Which mods are trusted, and which limits scripts may request: the player's decisions, in a file of the
 // user's configuration.
 #pragma once
 
@@ -25,8 +25,7 @@ struct ModSettings {
 
 /// $XDG_CONFIG_HOME/trembler/mods.json, or that in ~/.config; empty if there is no home.
 [[nodiscard]] std::filesystem::path modSettingsFile();
-/// A missing file states nothing. Adds what is wrong with one to `problems`; what is right in it
-/// counts.
+/// A missing file states nothing. Adds the errors of a file to `problems`; its correct entries still count.
 [[nodiscard]] ModSettings readModSettings(std::filesystem::path const& file, Problems& problems);
 
 /// Trusts mods of these names too, for as long as the program runs. Thread-safe.

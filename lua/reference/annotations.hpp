@@ -14,8 +14,8 @@ namespace trembler::lua {
 /// Writes FOLDER/trembler.lua. Throws like writeFile().
 void writeAnnotations(std::filesystem::path const& folder, Reference const& reference);
 
-/// The settings of a mod's folder for the Lua Language Server: its Lua, and that nothing exists but what
-/// annotationText() defines.
+/// The settings of a mod's folder for the Lua Language Server: its Lua, and that only the names that
+/// annotationText() defines exist.
 [[nodiscard]] std::string editorSettings();
 
 } // namespace trembler::lua

@@ -14,7 +14,7 @@ struct GlobalNote {
     std::string_view example; ///< statements that hold
 };
 
-/// In the order of the page. Complete: a test compares it with what the sandbox hands out.
+/// In the order of the page. Complete: a test compares it with the globals of the sandbox.
 [[nodiscard]] std::span<GlobalNote const> globalNotes();
 
 } // namespace trembler::lua

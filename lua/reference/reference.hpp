@@ -14,7 +14,7 @@ namespace trembler::lua {
 struct ReferenceField {
     FieldInfo info;
     FieldKind kind = FieldKind::number;
-    std::vector<std::string> choices{};  ///< of a choice: what it can be
+    std::vector<std::string> choices{};  ///< of a choice: its values
     bool entriesHaveFields = false;      ///< of a list; otherwise its entries are values
     std::vector<ReferenceField> entry{}; ///< of a list: the fields of an entry, or the one value
     std::string initial{};               ///< of an argument that can be left out: its value then
@@ -31,7 +31,7 @@ struct ReferenceProperty {
     PropertyHome home = PropertyHome::objects;
     std::vector<std::string> offeredBy{}; ///< names of the components that compute it
     std::vector<ReferenceField> fields{};
-    std::string body{};    ///< an example: what apply contains, without indentation
+    std::string body{};    ///< an example: the body of apply, without indentation
     std::string example{}; ///< the script around it
 };
 
@@ -57,7 +57,7 @@ struct Reference {
 [[nodiscard]] std::string memberOf(std::string_view of, std::string_view name);
 /// The name by which examples declare a property: its name if that needs no quotes, else its key.
 [[nodiscard]] std::string_view scriptName(PropertyInfo const& info);
-/// "number", "vec2", "one of a, b": what a script gets or states.
+/// "number", "vec2", "one of a, b": the type of a value that a script reads or states.
 [[nodiscard]] std::string kindText(ReferenceField const& field);
 /// "0 to 60", "above 0", "" if it is not limited.
 [[nodiscard]] std::string rangeText(ReferenceField const& field);

@@ -9,16 +9,17 @@
 namespace trembler::lua {
 
 /// Limits of one frame, of all turns that one scripted interaction has in it: one in each part of the frame,
-/// or a single one. So they bound how much longer a frame takes, however many parts it has. What is "per
-/// object" is added for each object, or pair, that the script is applied to, in each turn again: an
+/// or a single one. So they bound how much longer a frame takes, however many parts it has. Limits "per
+/// object" are added for each object, or pair, that the script is applied to, in each turn again: an
 /// interaction that has eight times the work may do eight times as much.
 struct ScriptLimits {
     std::uint64_t instructions = 15'000;
-    std::uint64_t instructionsPerObject = 500; ///< on average: an object may use what others leave
-    /// Bytes by which the memory in use may grow, at a time: each turn begins without what the one before has
-    /// used. Garbage of one application counts until its end.
+    std::uint64_t instructionsPerObject =
+        500; ///< on average: an object may use instructions that others leave
+    /// Bytes by which the memory in use may grow, at a time: each turn begins without the memory that the one
+    /// before has used. Garbage of one application counts until its end.
     std::size_t memory = std::size_t{4} << 20U;
-    /// Bytes, the sum over all that is allocated in a frame, less what a growing block gives back.
+    /// Bytes, the sum over all that is allocated in a frame, less the old parts of growing blocks.
     std::size_t allocation = std::size_t{4} << 20U;
     std::size_t allocationPerObject = 1024; ///< bytes
     std::uint32_t calls = 100;              ///< of functions of the resolver
@@ -40,15 +41,14 @@ struct ScriptLimits {
     }
 };
 
-/// How far a script's author is trusted: not with what it does, which is the same for both and to the same
-/// bits, but with how it is run.
+/// How far a script's author is trusted: this changes how a script is run, but none of its results, which are
+/// the same for both, bit for bit.
 enum class Trust {
     /// Interpreted only; no FFI in its state; blocks of memory are bounded.
     untrusted,
     /// Compiled, and columns are read by FFI. Instructions and calls have the same limits. The limit of
-    /// memory is
-    /// four times as much, and blocks and what is allocated in a frame have none, as compiled code allocates
-    /// less.
+    /// memory is four times as much, and there is none for single blocks or for the sum of a frame, as
+    /// compiled code allocates less.
     trusted,
 };
 

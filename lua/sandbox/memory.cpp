@@ -14,8 +14,8 @@ namespace trembler::lua {
 namespace {
 
 // LuaJIT's table of all strings of a state, which doubles as their number grows. It is its only new block of
-// such a size: what scripts make of that length is refused otherwise (see longestString), or is an array,
-// which has an element more.
+// such a size: strings of that length are refused (see longestString), and arrays of that length have one
+// element more.
 bool mayBeTableOfStrings(std::size_t before, std::size_t wanted) {
     return before == 0 && wanted <= largestTableOfStrings && std::has_single_bit(wanted);
 }
@@ -56,7 +56,7 @@ void* Memory::take(std::size_t size) {
         return first;
     }
     std::size_t const bytes = list * step;
-    if (slabLeft_ < bytes) { // what is left of the last one is lost: less than one small block
+    if (slabLeft_ < bytes) { // the rest of the last one is lost: less than one small block
         void* const slab = std::malloc(slabSize);
         if (slab == nullptr) {
             return nullptr;

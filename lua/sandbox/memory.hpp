@@ -1,4 +1,4 @@
-// The allocator of one Lua state: it counts bytes and refuses what is beyond the limits.
+// The allocator of one Lua state: it counts bytes and refuses to allocate beyond the limits.
 #pragma once
 
 #include <array>
@@ -8,7 +8,7 @@ namespace trembler::lua {
 
 class Memory {
 public:
-    /// `owner` is what owner() returns.
+    /// `owner` is returned by owner().
     explicit Memory(void* owner = nullptr) : owner_(owner) {}
     Memory(Memory const&) = delete;
     Memory& operator=(Memory const&) = delete;
@@ -16,8 +16,8 @@ public:
     [[nodiscard]] void* owner() const { return owner_; }
     /// Bytes that are allocated now.
     [[nodiscard]] std::size_t used() const { return used_; }
-    /// Bytes, the sum over all that was allocated since beginTurn(), less what was given back for a larger or
-    /// smaller block.
+    /// Bytes, the sum over all that was allocated since beginTurn(), less the old sizes of blocks that were
+    /// made larger or smaller.
     [[nodiscard]] std::size_t allocated() const {
         return allocated_ < 0 ? 0 : static_cast<std::size_t>(allocated_);
     }
@@ -69,8 +69,8 @@ private:
     std::size_t slabLeft_ = 0; // bytes at the beginning of the last one, behind its header
     void* owner_;
     std::size_t used_ = 0;
-    // Since beginTurn(), less what was given back for a larger or smaller block: how often a table is made
-    // again depends on where the random hashes put its keys.
+    // Since beginTurn(), less the old sizes of blocks that were made larger or smaller: how often a table is
+    // made again depends on where the random hashes put its keys.
     std::ptrdiff_t allocated_ = 0;
     std::size_t cap_ = static_cast<std::size_t>(-1);
     std::size_t mostAllocated_ = static_cast<std::size_t>(-1);

@@ -1,4 +1,4 @@
-// A sandbox's state: how it is made, and what is pushed for the script that runs in it.
+// A sandbox's state: how it is made, and the values that it pushes for its script.
 #include "lua/sandbox/sandbox.hpp"
 
 #include "lua/sandbox/number_text.hpp"
@@ -40,7 +40,7 @@ Sandbox::~Sandbox() {
 }
 
 Sandbox& Sandbox::of(lua_State* L) {
-    void* owner = nullptr; // what the allocator belongs to: found without touching the stack
+    void* owner = nullptr; // the owner of the allocator: found without touching the stack
     (void)lua_getallocf(L, &owner);
     return *static_cast<Sandbox*>(static_cast<Memory*>(owner)->owner());
 }
@@ -55,7 +55,7 @@ void Sandbox::openLibraries(lua_State* L) {
         luaJIT_setmode(L, 0, LUAJIT_MODE_ENGINE | LUAJIT_MODE_OFF);
         return;
     }
-    lua_pushcfunction(L, luaopen_jit); // it is what finds out for which processor code is made
+    lua_pushcfunction(L, luaopen_jit); // it determines the processor for which code is made
     lua_pushliteral(L, LUA_JITLIBNAME);
     lua_call(L, 1, 0);
     lua_pushnil(L);

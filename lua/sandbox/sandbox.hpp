@@ -48,15 +48,15 @@ public:
     [[nodiscard]] std::optional<ScriptError> load(std::string_view text, std::string const& name,
                                                   VectorArguments const* vectors = nullptr);
 
-    /// A function that is called back in protected mode. It may call whatever raises a Lua error. What it has
-    /// on its stack is taken away afterwards.
+    /// A function that is called back in protected mode. It may call functions that raise Lua errors. Its
+    /// values on the stack are removed afterwards.
     using Body = std::function<void(lua_State*)>;
     /// Runs the host's own code in protected mode: running out of memory is then no abort.
     [[nodiscard]] std::optional<ScriptError> protect(Body const& body);
     /// Which turn of its frame a turn is.
     enum class TurnOf {
         newFrame,  ///< the first one
-        sameFrame, ///< another one: it has what the earlier ones have left, and more for its own objects
+        sameFrame, ///< another one: it has the rest that the earlier ones left, and more for its own objects
     };
     /// A turn: `body` within the limits for `objects` objects. After one that has failed there may be others
     /// of new frames only.
@@ -70,12 +70,13 @@ public:
     /// Counts the instructions of the chunk, once, and those of apply for so many applications, if it does
     /// not count them by itself. Raises a Lua error beyond the limit.
     void chargeText(lua_State* L, std::size_t applications);
-    /// Runs the chunk some times, uncounted and silently. The compiler takes functions that were made often
-    /// for what they are: different functions of one text.
+    /// Runs the chunk some times, uncounted and silently. The compiler recognises functions that were made
+    /// often as different functions of one text.
     void rehearse(lua_State* L, int times);
     /// Pushes LuaJIT's FFI library. Of a trusted script's state only, for the host's own functions.
     void pushFfi(lua_State* L) const;
-    /// Pushes the table of what scripts see besides their own; what is set in it is seen by the script.
+    /// Pushes the table of globals that scripts see besides their own; fields that are set in it are seen by
+    /// the script.
     void pushSurroundings(lua_State* L) const;
     /// Shows the script's chunk the value on top of the stack, and pops it, under a name that a script cannot
     /// use itself: one of CountedSource.

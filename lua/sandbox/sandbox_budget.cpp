@@ -36,7 +36,7 @@ void Sandbox::charge(lua_State* L, double instructions) {
     }
     double const cost = std::clamp(instructions, 0.0, 1e15);
     double const now = left(L);
-    if (now < cost) { // what does not fit is not done
+    if (now < cost) { // work that does not fit is not done
         setLeft(L, 0);
         over(L);
     }

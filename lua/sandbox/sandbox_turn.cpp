@@ -1,4 +1,4 @@
-// A turn of a sandbox: running what may fail, within limits, and what is left when it has ended.
+// A turn of a sandbox: running functions that may fail, within limits, and the state after it.
 #include "lua/sandbox/prelude/host_functions.hpp"
 #include "lua/sandbox/sandbox.hpp"
 #include "lua/sandbox/stack_values.hpp"
@@ -72,7 +72,7 @@ std::optional<ScriptError> Sandbox::turn(std::size_t objects, Body const& body, 
 void Sandbox::finishTurn(std::optional<ScriptError>& failed) {
     allocated_ += memory_.allocated();
     if (std::exchange(keepsGarbage_, false) || (!trusted() && memory_.worthCollecting())) {
-        collect(); // what is left of the turn, so that the next one can have all of the memory
+        collect(); // garbage of the turn, so that the next one can have all of the memory
     }
     if (stopped_.empty()) {
         left_ = std::clamp(left(state_), 0.0, budget_);

@@ -15,7 +15,7 @@ namespace trembler::lua {
 void pushString(lua_State* L, std::string_view text);
 /// Collects the keys of the table at `index` that are strings, ascending.
 [[nodiscard]] std::vector<std::string> stringKeys(lua_State* L, int index);
-/// "a number", "a vector", "an object": what a value is, in words.
+/// "a number", "a vector", "an object": the type of a value, in words.
 [[nodiscard]] std::string kindOf(lua_State* L, int index);
 
 } // namespace trembler::lua

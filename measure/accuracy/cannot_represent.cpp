@@ -1,4 +1,4 @@
-// A table of the phenomena that each detail level cannot represent, whatever the scene.
+// A table of the phenomena that each detail level cannot represent in any scene.
 #include "measure/accuracy/ladder.hpp"
 
 #include <array>

@@ -17,7 +17,7 @@ struct Rung {
     /// µs per frame of the effect's components, median over the frames; the least of several runs.
     double microseconds = 0;
     double error = 0;            ///< in the ladder's unit; 0: exact
-    std::string cannotRepresent; ///< what the level cannot represent, however long it computes
+    std::string cannotRepresent; ///< phenomena that the level cannot represent, however long it computes
     bool onFront = false;        ///< Pareto front: no other level is faster and at least as accurate
     std::string beatenBy;        ///< the first level of the ladder that beats it, "" on the front
 };
@@ -27,7 +27,7 @@ struct Ladder {
     std::string scene;     ///< a short description
     std::string unit;      ///< unit of the error: "m", "of the force"
     std::string error;     ///< the measured quantity, in words
-    std::string reference; ///< what the error is relative to
+    std::string reference; ///< the quantity to which the error is relative
     /// Whether the rungs compete for one task, so that some can beat others in both error and cost. For other
     /// studies no front is drawn.
     bool rivals = true;

@@ -52,8 +52,8 @@ std::string placeText(Ladder const& ladder, Rung const& rung) {
     return rung.onFront ? "front" : "beaten by " + rung.beatenBy;
 }
 
-// What none of a ladder's levels can represent, if it is the same for all of them, so that it is reported
-// once; otherwise "".
+// The phenomena that none of a ladder's levels can represent, if they are the same for all, so that they are
+// reported once; otherwise "".
 std::string cannotRepresentOfAll(Ladder const& ladder) {
     if (ladder.rungs.empty()) {
         return "";

@@ -32,8 +32,8 @@ struct HardCase {
     bool quick = true;
     /// Whether the seed influences the result.
     bool jittered = true;
-    /// Of what it is about, in its present version, for the table: a test computes it again, and so finds
-    /// rows that are stale. Much faster than a run; usually none.
+    /// A hash of the case's subject in its present version, for the table: a test computes it again, and so
+    /// finds stale rows. Much faster than a run; usually none.
     std::function<std::string()> version = nullptr;
 };
 

@@ -8,8 +8,8 @@
 namespace trembler {
 
 /// Texts in the language as far as the level has them. A demonstration with a "task" becomes a level whose
-/// goals are the task: what it does by itself is no success of the player's. Names of objects, and so
-/// recordings, stay the same.
+/// goals are the task: goals that it reaches by itself are no success of the player's. Names of objects, and
+/// so recordings, stay the same.
 [[nodiscard]] LevelFile asPlayed(LevelFile level, std::string const& language);
 
 } // namespace trembler

@@ -8,7 +8,7 @@
 namespace trembler {
 
 /// The text of the level's file, with a toolbox of all parts of the library. It has no goals. `title` and
-/// `text` are for the player, and `texts` what they are in further languages.
+/// `text` are for the player, and `texts` are the same in further languages.
 [[nodiscard]] std::string freePlayLevel(PartLibrary const& parts, std::string const& title,
                                         std::string const& text, Translations const& texts = {});
 

@@ -1,4 +1,4 @@
-// Keeps what a player has built in each level: one file per level, replaced as a whole.
+// Keeps the parts and wires that a player has placed in each level: one file per level, replaced as a whole.
 #pragma once
 
 #include "puzzle/session/session.hpp"
@@ -20,13 +20,13 @@ public:
 
     /// The file of a level. Names of different levels give different files.
     [[nodiscard]] std::filesystem::path fileOf(std::string const& levelId) const;
-    /// Writes a build, as buildOf() states it; if nothing is built the file is removed. Whatever happens
-    /// meanwhile, the file afterwards is the former or the new one. Throws OutputError if it cannot be
-    /// written.
+    /// Writes a build, as buildOf() states it; if nothing is built the file is removed. Even if the program
+    /// is killed meanwhile, the file is afterwards either the former or the new one. Throws OutputError if it
+    /// cannot be written.
     void keep(std::string const& levelId, std::string const& build) const;
-    /// Places what was kept, while building and with nothing placed. If the level has changed so that it
-    /// does not fit as a whole, parts are placed one by one; returns how many were left out. Without a file,
-    /// or with a damaged one, nothing is placed: 0.
+    /// Places the kept parts and wires, while building and with nothing placed. If the level has changed so
+    /// that it does not fit as a whole, parts are placed one by one; returns how many were left out. Without
+    /// a file, or with a damaged one, nothing is placed: 0.
     int restore(std::string const& levelId, Session& session) const;
 
 private:
@@ -42,12 +42,13 @@ public:
     /// The builds must outlive it.
     BuildKeeper(KeptBuilds const& builds, std::string levelId) : builds_(builds), id_(std::move(levelId)) {}
 
-    /// Places what was kept; what is placed then counts as written. See KeptBuilds::restore().
+    /// Places the kept parts and wires, which then count as written. See KeptBuilds::restore().
     int restore(Session& session);
-    /// Looks at what is placed, after `seconds` more, and writes it when it is due. Returns false if it
-    /// cannot be written; `why()` then has the reason, and it is tried again after the next change.
+    /// Compares the placed parts and wires with the file, after `seconds` more, and writes them when that is
+    /// due. Returns false if it cannot be written; `why()` then has the reason, and it is tried again after
+    /// the next change.
     bool pass(Session const& session, double seconds);
-    /// Writes at once what has not been written: the level is being left.
+    /// Writes at once if anything has not been written: the level is being left.
     bool finish(Session const& session) { return pass(session, delay); }
     [[nodiscard]] std::string const& why() const { return why_; }
 

@@ -40,7 +40,8 @@ public:
 
     /// {"LEVEL": {"kinds": [{"parts": [..], "actions": [..], "causes": [..]}]}} of the solved levels.
     [[nodiscard]] nlohmann::ordered_json written() const;
-    /// Adds what written() has made. Ignores entries that are damaged: they must not affect the others.
+    /// Adds the entries of a text that written() has made. Ignores entries that are damaged: they must not
+    /// affect the others.
     void read(nlohmann::ordered_json const& stated);
 
 private:

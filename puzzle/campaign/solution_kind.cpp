@@ -22,7 +22,7 @@ KindOfRun kindOf(Registry const& registry, PartLibrary const& parts, LevelFile c
         session.step();
     }
     found.solves = session.solved();
-    // What was done after the level was solved had no part in it.
+    // Deeds after the level was solved had no part in it.
     for (RecordedInput const& input : session.inputs()) {
         using Kind = PlayerInput::Kind;
         if (input.kind == Kind::grab || input.kind == Kind::cut || input.kind == Kind::remove) {

@@ -1,4 +1,4 @@
-// In what a solution differs from another one of the same level, besides the places of its parts.
+// The differences between solutions of one level, apart from the places of their parts.
 #pragma once
 
 #include "runtime/level/model/level.hpp"
@@ -11,9 +11,8 @@
 
 namespace trembler {
 
-/// The kind of a solution: which parts were placed, what the player did while it ran, and which components
-/// caused the goals. Where a part lies, how many of it there are and when something happens belong to no
-/// kind.
+/// The kind of a solution: which parts were placed, the player's deeds while it ran, and which components
+/// caused the goals. Places and numbers of parts, and times, do not belong to the kind.
 struct SolutionKind {
     std::set<std::string> parts;   ///< names of the part definitions that were placed
     std::set<std::string> actions; ///< of the player in the run: "grab", "cut", "remove"

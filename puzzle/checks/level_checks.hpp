@@ -23,10 +23,10 @@ struct LevelCheckup {
     bool crowded = false;  ///< but each frame takes long, see complainAboutCrowds()
 };
 
-/// Reads the level, builds its world, sets up its goals, and if all that is possible, looks for what makes it
-/// useless: things out of bounds, a toolbox out of reach, goals or a task that can never come true, and so
-/// many bodies in one place that it hardly moves.
-/// Throws nothing but for lack of memory. `detail` overrides the detail levels that the level states.
+/// Reads the level, builds its world, sets up its goals, and if all that is possible, looks for faults that
+/// make it useless: objects out of bounds, a toolbox out of reach, goals or a task that can never come true,
+/// and so many bodies in one place that it hardly moves. Throws nothing but for lack of memory. `detail`
+/// overrides the detail levels that the level states.
 [[nodiscard]] LevelCheckup checkWholeLevel(GameData const& data,
                                            std::shared_ptr<JsonDocument const> const& document,
                                            std::map<std::string, std::string> const& detail = {});
@@ -39,9 +39,9 @@ void complainAboutReach(GameData const& data, LevelFile const& level, World cons
 
 /// Complains about goals, and a task, that can never come true, beyond those of which GoalJudge complains
 /// because of the objects that they name: current where there is no source of it, fixed things that are to
-/// touch one another, something without a body that is to move, and a goal together with its opposite.
-/// Nothing is said about levels with mods, whose scripts may change everything. The world is that of the
-/// level, before its first frame.
+/// touch one another, something without a body that is to move, and a goal together with its opposite. Does
+/// not judge levels with mods, whose scripts may change everything. The world is that of the level, before
+/// its first frame.
 void complainAboutHopeless(GameData const& data, LevelFile const& level, World const& world,
                            Problems& problems);
 

@@ -1,4 +1,4 @@
-// Complains about what no player can reach or see: see level_checks.hpp.
+// Complains about objects and areas that no player can reach or see: see level_checks.hpp.
 #include "physics/buoyancy/properties/liquid.hpp"
 #include "physics/dynamics/properties/shape.hpp"
 #include "physics/dynamics/properties/shapes/overlap.hpp"

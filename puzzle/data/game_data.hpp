@@ -31,7 +31,7 @@ struct GameData {
     std::vector<lua::Mod> mods; ///< the loaded ones
     /// Own parts that cannot be used, for a message of the editor; a level that needs one says so itself.
     std::vector<Diagnostic> ownPartFaults;
-    std::shared_ptr<lua::ScriptLog> scriptLog;       ///< what their scripts say
+    std::shared_ptr<lua::ScriptLog> scriptLog;       ///< messages of their scripts
     std::shared_ptr<lua::LiveScripts const> scripts; ///< their scripts, which can change while worlds run
 
     /// Registers every effect and reads every part. Throws InputError if a part definition is wrong; one of

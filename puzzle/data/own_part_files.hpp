@@ -11,8 +11,8 @@
 namespace trembler {
 
 /// Adds the parts of a folder that can be used, in the order of their files; they may consist of others, and
-/// of one another. Returns what is wrong with the rest: also a name that another part has, with both files.
-/// No folder is no fault.
+/// of one another. Returns the faults of the others, among them a name that another part has, with both
+/// files. It is no fault if there is no such folder.
 [[nodiscard]] std::vector<Diagnostic> addOwnParts(Registry const& registry,
                                                   std::filesystem::path const& folder, PartLibrary& library);
 

@@ -1,12 +1,20 @@
-// The JSON Schema of level files that is published beside the levels.
+// The JSON Schemas of the files that authors write.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
 
+#include <array>
+#include <string_view>
+
 namespace trembler {
 
-/// levels/level.schema.json: of every effect, with what levels may state about scripts. Which scripts there
-/// are depends on the mods, so the schema knows no names of theirs.
-[[nodiscard]] nlohmann::ordered_json publishedSchema();
+enum class AuthoredFile { level, part, chapter };
+/// The kinds, as `trembler schema` calls them, in the enumeration's order.
+inline constexpr std::array<std::string_view, 3> authoredFiles{"level", "part", "chapter"};
+
+/// The schema of a level file (levels/level.schema.json), of a part or of a chapter
+/// (levels/chapter.schema.json). It covers the properties of every effect, and the property "scripts". The
+/// names of scripts depend on the mods, so the schema allows any.
+[[nodiscard]] nlohmann::ordered_json publishedSchema(AuthoredFile of = AuthoredFile::level);
 
 } // namespace trembler

@@ -43,7 +43,7 @@ void addTexts(TextMap& texts, fs::path const& file) {
     }
 }
 
-/// What stands in the gaps if the text fits.
+/// The contents of the gaps if the text fits.
 std::optional<std::vector<std::string>> fitted(std::string_view text,
                                                std::vector<std::string> const& between) {
     std::string const& first = between.front();

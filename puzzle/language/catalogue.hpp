@@ -26,15 +26,15 @@ public:
     /// The text for an id or an English text; nullptr if there is none. Valid as long as the catalogue.
     [[nodiscard]] char const* find(std::string_view english) const;
     /// A finished English text, such as the message of an exception: looked up as it is, or else by the text
-    /// with gaps that it fits ("it would overlap the {}"), the one that leaves the least to the gaps. What
-    /// stands in the gaps is translated likewise; "{name}", "{akk}" and "{dat}" in the translation make it
+    /// with gaps that it fits ("it would overlap the {}"), the one that leaves the least to the gaps. The
+    /// contents of the gaps are translated likewise; "{name}", "{akk}" and "{dat}" in the translation make it
     /// the name of an object, without an article or in that case, and "{own}" leaves it as it is. If nothing
     /// fits, the text as it is.
     [[nodiscard]] std::string translated(std::string const& english) const;
     [[nodiscard]] GermanNames const& names() const { return names_; }
 
-    /// The pieces of a text between its gaps ("{}", "{:.1f}", "{dat}"), and what the gaps say ("", ":.1f",
-    /// "dat"). Other braces are those of a file that the text quotes.
+    /// The pieces of a text between its gaps ("{}", "{:.1f}", "{dat}"), and the specifications in the gaps
+    /// ("", ":.1f", "dat"). Other braces are those of a file that the text quotes.
     struct Pieces {
         std::vector<std::string> between; ///< one more than gaps
         std::vector<std::string> gaps;
@@ -44,7 +44,7 @@ public:
 private:
     struct Template {
         Pieces english;
-        std::size_t length = 0; // of what stands between the gaps
+        std::size_t length = 0; // of the text between the gaps
         std::string translation;
     };
     [[nodiscard]] std::string translatedInside(std::string const& argument) const;

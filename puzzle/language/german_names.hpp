@@ -23,7 +23,7 @@ public:
     /// {"nouns": {"lamp": "die Lampe", "ball": "die Kugel|Kugeln", "magnet": "der Magnet|Magnete|Magneten"},
     /// "adjectives": {"left": "link"}, "behind": {"left": "links"}}. Behind the first bar is the plural,
     /// behind the second one the form in the accusative and the dative, of nouns that have another one there;
-    /// either may be missing. What is not of that form is left out.
+    /// either may be missing. Entries of another form are left out.
     explicit GermanNames(nlohmann::json const& file);
 
     /// "linke Lampe"; a name that is not understood is returned as it is.

@@ -22,7 +22,7 @@ struct RunOptions {
     /// Called directly before every frame; may change the session as a player can.
     std::function<void(Session&)> before;
     /// Called after a frame that took more than `slowAfter` seconds of this process's time on processors,
-    /// with the frame's number and these seconds. Depends on the machine, so it may only be told.
+    /// with the frame's number and these seconds. It depends on the machine, so it may only be reported.
     std::function<void(World const&, std::uint64_t frame, double seconds)> slow;
     double slowAfter = 2;
 };

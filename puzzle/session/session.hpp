@@ -76,7 +76,8 @@ public:
     bool putBackAll(std::span<int const> numbers);
     /// Places new parts, which must lie as to one another as placed ones do; returns their numbers.
     std::vector<int> placeAll(std::span<Placement const> added);
-    // Wires. They are edits like those of parts, with the same undo; a wire goes when a part at its end goes.
+    // Wires. They are edits like those of parts, with the same undo; a wire is removed with a part at its
+    // end.
     [[nodiscard]] std::vector<LaidWire> const& wires() const { return wires_.now(); }
     /// How many more wires the toolbox has.
     [[nodiscard]] int wiresLeft() const { return level_.wires - static_cast<int>(wires().size()); }
@@ -118,7 +119,7 @@ public:
     /// Feeds the playback to the current run until the run ends, in place of a loaded solution. Does nothing
     /// while building.
     void play(Playback playback);
-    /// Ends what play() began: the rest of the run gets its inputs from feed() alone.
+    /// Ends the playback that play() began: the rest of the run gets its inputs from feed() alone.
     void takeOver();
     /// Whether play() feeds this run.
     [[nodiscard]] bool playing() const { return played_.has_value() && !takenOver_; }

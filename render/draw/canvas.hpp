@@ -23,7 +23,7 @@ struct CanvasOptions {
     float uiScale = 1.F;     ///< the factor on all lengths in pixels; take Window::uiScale
     double time = 0;         ///< s; moves water, nothing else
     bool shadows = true;     ///< leave them out on software OpenGL: they double the cost of a frame
-    Flattening flattening{}; ///< of what is drawn between flatten(true) and flatten(false)
+    Flattening flattening{}; ///< of the shapes between flatten(true) and flatten(false)
 };
 
 /// Collects shapes between begin and end and draws them in that order, in few calls. Only soft shadows come

@@ -85,7 +85,7 @@ inline constinit Meanings inUse = meanings[0];
 inline constinit Choice choice = Choice::usual;
 } // namespace detail
 
-/// Changes what the names below refer to. Window thread only; what was drawn and kept is to be drawn again.
+/// Changes the colours of the names below. Window thread only; pictures that were kept must be drawn again.
 inline void use(Choice choice) {
     detail::choice = choice;
     detail::inUse = meanings[static_cast<std::size_t>(choice)];

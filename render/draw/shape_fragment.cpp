@@ -90,7 +90,8 @@ vec4 selection(float d) {
 void main() {
     float d = distanceTo(v_local);
 #if LIGHT
-    // A glow goes by the distance outside only: a falloff that went on inside would show the edge as a dark rim.
+    // A glow goes by the distance outside only: a falloff that continued inside would show the edge as a dark
+    // rim.
     float glow = clamp(1.0 - max(d, 0.0) / f_outline, 0.0, 1.0);
     float shadow = 1.0 - smoothstep(-f_outline, f_outline, d);
     o_colour = vec4(f_colour.rgb, 1.0) * (f_colour.a * (f_bits.y == 1u ? glow * glow : shadow));

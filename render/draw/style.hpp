@@ -33,7 +33,8 @@ struct Glow {
 };
 
 /// Bodies made of several shapes look like one if all their rims are drawn first and all their insides after
-/// that. What is drawn in another way needs only the shadow of its body, and the ring if it is selected.
+/// that. Objects that are drawn in another way need only the shadow of their bodies, and the ring if they are
+/// selected.
 enum class Layer : std::uint8_t { Whole, Rim, Inside, Shadow };
 
 /// How a filled shape looks. Lengths in pixels are at UI scale 1.

@@ -5,9 +5,9 @@
 
 namespace trembler::render {
 
-/// Thrown by every constructor and function of render/ that says it can fail. what() is a full sentence
-/// without a trailing newline; it names the cause and, where there is one, the remedy. Nothing in render/
-/// aborts instead.
+/// Thrown by every constructor and function of render/ whose comment says that it can fail. what() is a full
+/// sentence without a trailing newline; it names the cause and, where there is one, the remedy. Nothing in
+/// render/ aborts instead.
 class RenderError : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;

@@ -15,7 +15,7 @@ public:
     explicit Framebuffer(Size size);
 
     [[nodiscard]] Size size() const { return size_; }
-    /// From now on drawing goes here, over the whole area. The caller rebinds its own target afterwards.
+    /// Subsequent drawing is into this, over the whole area. The caller rebinds its own target afterwards.
     void bind() const;
     /// OpenGL's name of the picture, for ImGui::Image; its first row is the bottom one, so v runs from 1 to
     /// 0.

@@ -2,7 +2,6 @@
 
 #include "render/gl/png.hpp"
 
-#include <stb_image.h>
 #include <stb_image_write.h>
 
 #include <algorithm>
@@ -50,21 +49,6 @@ void writePng(Image const& image, std::filesystem::path const& file) {
     } catch (OutputError const& error) {
         throw RenderError(std::string("The picture ") + error.what() + ".");
     }
-}
-
-Image readPng(std::filesystem::path const& file) {
-    int width = 0;
-    int height = 0;
-    int channels = 0;
-    std::unique_ptr<stbi_uc, void (*)(void*)> const bytes(
-        stbi_load(file.c_str(), &width, &height, &channels, 4), stbi_image_free);
-    if (!bytes) {
-        throw RenderError("The picture " + file.string() + " could not be read: " + stbi_failure_reason() +
-                          ".");
-    }
-    Image image({width, height});
-    std::copy_n(bytes.get(), image.bytes().size(), image.bytes().begin());
-    return image;
 }
 
 } // namespace trembler::render

@@ -48,7 +48,4 @@ private:
 /// written or the picture is empty.
 void writePng(Image const& image, std::filesystem::path const& file);
 
-/// Reads a PNG (or anything else that stb_image knows) as RGBA. Throws RenderError if that does not work.
-[[nodiscard]] Image readPng(std::filesystem::path const& file);
-
 } // namespace trembler::render

@@ -28,9 +28,9 @@ float inwards(float pivot, float offset) {
     return (pivot < 0.25F ? 1.F : (pivot > 0.75F ? -1.F : 0.F)) * offset;
 }
 
-/// Around the content of a bare card, pixels. Half of it is within what ImGui clips at: room for the half of
-/// a button's outline that lies outside the button, and for the part of a pixel that ImGui cuts from a
-/// window's size.
+/// Around the content of a bare card, pixels. Half of it lies inside the rectangle at which ImGui clips: room
+/// for the half of a button's outline that lies outside the button, and for the part of a pixel that ImGui
+/// cuts from a window's size.
 float outlineRoom() {
     return 2 * std::ceil(0.5F * scaled(buttonOutline)) + 1;
 }

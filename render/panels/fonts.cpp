@@ -45,7 +45,7 @@ bool there(char const* file) {
     return std::filesystem::is_regular_file(file, ignored);
 }
 
-/// `symbolRange`: what is taken from the other family; nullptr: nothing.
+/// `symbolRange`: the signs taken from the other family; nullptr: none.
 ImFont* load(char const* file, float pixels, ImWchar const* range, ImWchar const* symbolRange = nullptr) {
     ImFontConfig config;
     config.FontBuilderFlags = ImGuiFreeTypeBuilderFlags_LightHinting;

@@ -108,9 +108,9 @@ void Gui::feedMouse(InputEvents const& input) {
 
 namespace {
 
-/// The key by which ImGui's widgets know what a button of a gamepad does: the directional pad moves among
-/// them, its lower button presses, the right one leaves, the left one begins to type, also into a number that
-/// can be dragged. Other events are returned as they are.
+/// The key of ImGui's that has the meaning of a gamepad's button: the directional pad moves among widgets,
+/// its lower button presses, the right one leaves, the left one begins to type, also into a number that can
+/// be dragged. Other events are returned as they are.
 SDL_Event asKeyOfWidgets(SDL_Event event) {
     struct Stands {
         SDL_Keycode pad;

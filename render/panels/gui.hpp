@@ -14,7 +14,7 @@ struct GuiOptions {
     bool steady = false; ///< nothing blinks: for pictures that are compared
 };
 
-/// One at a time, on the window's thread, gone before the window. ImGui's coordinates are the window's
+/// One at a time, on the window's thread, destroyed before the window. ImGui's coordinates are the window's
 /// pixels. Nothing is written to disk (no ini file).
 class Gui {
 public:
@@ -29,8 +29,8 @@ public:
     /// Starts a frame with the events that `input` took last; ImGui's functions work from here to endFrame.
     /// `seconds` since the last frame: clamped to at least a millisecond and at most a second.
     void beginFrame(InputEvents const& input, double seconds);
-    /// Draws the panels over the window's contents. `beneath` is called when only what lies under all panels
-    /// is drawn, such as the words in the world; it may be empty.
+    /// Draws the panels over the window's contents. `beneath` is called before any panel is drawn, and may
+    /// draw words in the world; it may be empty.
     void endFrame(std::function<void()> const& beneath = {});
     /// Instead of endFrame, if the window is not visible: draws nothing. The panels have answered the
     /// player's input and are laid out all the same.

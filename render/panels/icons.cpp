@@ -1,5 +1,7 @@
 #include "render/panels/icons.hpp"
 
+#include "render/panels/icon_pen.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,52 +13,8 @@ namespace {
 
 constexpr float halfTurn = std::numbers::pi_v<float>; // in radians
 
-/// Draws in a square from -1 to 1, y down.
-class Pen {
-public:
-    Pen(ImDrawList& list, ImVec2 centre, float size, ImU32 colour)
-        : list_(list), centre_(centre), half_(0.5F * size), colour_(colour) {}
-
-    [[nodiscard]] ImVec2 at(float x, float y) const { return {centre_.x + half_ * x, centre_.y + half_ * y}; }
-    [[nodiscard]] float thick() const { return 0.24F * half_; }
-
-    void line(float x1, float y1, float x2, float y2) const {
-        list_.AddLine(at(x1, y1), at(x2, y2), colour_, thick());
-        dot(x1, y1, 0.12F);
-        dot(x2, y2, 0.12F);
-    }
-    void triangle(float x1, float y1, float x2, float y2, float x3, float y3) const {
-        // ImGui smooths the edges of clockwise triangles only (y is down).
-        bool const clockwise = (x2 - x1) * (y3 - y1) - (x3 - x1) * (y2 - y1) > 0.F;
-        list_.AddTriangleFilled(at(x1, y1), clockwise ? at(x2, y2) : at(x3, y3),
-                                clockwise ? at(x3, y3) : at(x2, y2), colour_);
-    }
-    void block(float x1, float y1, float x2, float y2, float rounding = 0.12F) const {
-        list_.AddRectFilled(at(x1, y1), at(x2, y2), colour_, rounding * half_);
-    }
-    void frame(float x1, float y1, float x2, float y2, float rounding) const {
-        list_.AddRect(at(x1, y1), at(x2, y2), colour_, rounding * half_, 0, thick());
-    }
-    void dot(float x, float y, float radius) const {
-        list_.AddCircleFilled(at(x, y), radius * half_, colour_);
-    }
-    void circle(float x, float y, float radius) const {
-        list_.AddCircle(at(x, y), radius * half_, colour_, 0, thick());
-    }
-    void arc(float x, float y, float radius, float from, float to) const {
-        list_.PathArcTo(at(x, y), radius * half_, from, to, 24);
-        list_.PathStroke(colour_, 0, thick());
-    }
-
-private:
-    ImDrawList& list_;
-    ImVec2 centre_;
-    float half_;
-    ImU32 colour_;
-};
-
 /// An arrow down into a tray.
-void save(Pen const& pen) {
+void save(IconPen const& pen) {
     pen.line(0.F, -0.85F, 0.F, 0.1F);
     pen.triangle(-0.5F, -0.05F, 0.5F, -0.05F, 0.F, 0.5F);
     pen.line(-0.8F, 0.35F, -0.8F, 0.8F);
@@ -64,8 +22,8 @@ void save(Pen const& pen) {
     pen.line(0.8F, 0.8F, 0.8F, 0.35F);
 }
 
-/// A sheet with a prompt: text that somebody wrote.
-void script(Pen const& pen) {
+/// A sheet with a prompt: the text of a script.
+void script(IconPen const& pen) {
     pen.frame(-0.85F, -0.7F, 0.85F, 0.7F, 0.2F);
     pen.line(-0.45F, -0.28F, -0.12F, 0.F);
     pen.line(-0.12F, 0.F, -0.45F, 0.28F);
@@ -73,14 +31,14 @@ void script(Pen const& pen) {
 }
 
 /// Three quarters of a circle with an arrow's head; `side` is 1 clockwise and -1 anticlockwise.
-void turn(Pen const& pen, float side) {
+void turn(IconPen const& pen, float side) {
     float const end = -0.5F * halfTurn + side * 0.15F;
     float const start = end - side * 1.55F * halfTurn;
     pen.arc(0, 0.08F, 0.66F, std::min(start, end), std::max(start, end));
     pen.triangle(side * 0.10F, -0.98F, side * 0.10F, -0.18F, side * 0.66F, -0.58F);
 }
 
-void gear(Pen const& pen) {
+void gear(IconPen const& pen) {
     pen.circle(0, 0, 0.50F);
     for (int i = 0; i < 8; ++i) {
         float const angle = static_cast<float>(i) * 0.25F * halfTurn;
@@ -90,13 +48,13 @@ void gear(Pen const& pen) {
     }
 }
 
-void camera(Pen const& pen) {
+void camera(IconPen const& pen) {
     pen.frame(-0.88F, -0.46F, 0.88F, 0.68F, 0.2F);
     pen.block(-0.34F, -0.72F, 0.34F, -0.40F);
     pen.circle(0, 0.11F, 0.30F);
 }
 
-void bulb(Pen const& pen) {
+void bulb(IconPen const& pen) {
     pen.arc(0, -0.2F, 0.56F, 0.75F * halfTurn, 2.25F * halfTurn);
     pen.line(-0.38F, 0.22F, -0.26F, 0.48F);
     pen.line(0.38F, 0.22F, 0.26F, 0.48F);
@@ -104,19 +62,19 @@ void bulb(Pen const& pen) {
     pen.line(-0.14F, 0.84F, 0.14F, 0.84F);
 }
 
-void question(Pen const& pen) {
+void question(IconPen const& pen) {
     pen.arc(0, -0.38F, 0.44F, -halfTurn, 0.42F * halfTurn);
     pen.line(0.12F, 0.06F, 0, 0.34F);
     pen.dot(0, 0.78F, 0.16F);
 }
 
-void eye(Pen const& pen) {
+void eye(IconPen const& pen) {
     pen.arc(0, 0.56F, 1.06F, 1.18F * halfTurn, 1.82F * halfTurn);
     pen.arc(0, -0.56F, 1.06F, 0.18F * halfTurn, 0.82F * halfTurn);
     pen.dot(0, 0, 0.28F);
 }
 
-void magnet(Pen const& pen) {
+void magnet(IconPen const& pen) {
     pen.arc(0, -0.08F, 0.56F, halfTurn, 2 * halfTurn);
     pen.line(-0.56F, -0.08F, -0.56F, 0.36F);
     pen.line(0.56F, -0.08F, 0.56F, 0.36F);
@@ -124,7 +82,7 @@ void magnet(Pen const& pen) {
     pen.block(0.40F, 0.56F, 0.72F, 0.86F, 0.04F);
 }
 
-void bin(Pen const& pen) {
+void bin(IconPen const& pen) {
     pen.line(-0.72F, -0.54F, 0.72F, -0.54F);
     pen.line(-0.22F, -0.78F, 0.22F, -0.78F);
     pen.line(-0.54F, -0.5F, -0.42F, 0.82F);
@@ -134,7 +92,7 @@ void bin(Pen const& pen) {
 }
 
 /// An arrow that curves back; `side` is -1 for undo and 1 for redo.
-void curvedArrow(Pen const& pen, float side) {
+void curvedArrow(IconPen const& pen, float side) {
     float const bend = 0.30F * -side;
     pen.line(side * 0.34F, -0.34F, bend, -0.34F);
     pen.line(side * 0.30F, 0.66F, bend, 0.66F);
@@ -143,7 +101,7 @@ void curvedArrow(Pen const& pen, float side) {
     pen.triangle(side * 0.92F, -0.34F, side * 0.26F, -0.82F, side * 0.26F, 0.14F);
 }
 
-void scissors(Pen const& pen) {
+void scissors(IconPen const& pen) {
     pen.line(-0.52F, -0.80F, 0.36F, 0.42F);
     pen.line(0.52F, -0.80F, -0.36F, 0.42F);
     pen.circle(-0.46F, 0.62F, 0.26F);
@@ -151,19 +109,19 @@ void scissors(Pen const& pen) {
 }
 
 /// A ball on a floor, and the mark where they touch.
-void contactIcon(Pen const& pen) {
+void contactIcon(IconPen const& pen) {
     pen.circle(0, -0.26F, 0.52F);
     pen.line(-0.86F, 0.40F, 0.86F, 0.40F);
     pen.triangle(0, 0.44F, -0.24F, 0.88F, 0.24F, 0.88F);
 }
 
-void gauge(Pen const& pen) {
+void gauge(IconPen const& pen) {
     pen.arc(0, 0.30F, 0.82F, halfTurn, 2 * halfTurn);
     pen.line(0, 0.30F, 0.40F, -0.16F);
     pen.line(-0.82F, 0.62F, 0.82F, 0.62F);
 }
 
-void corners(Pen const& pen) {
+void corners(IconPen const& pen) {
     for (float const x : std::array{-1.F, 1.F}) {
         for (float const y : std::array{-1.F, 1.F}) {
             pen.line(x * 0.78F, y * 0.78F, x * 0.34F, y * 0.78F);
@@ -173,14 +131,14 @@ void corners(Pen const& pen) {
     pen.dot(0, 0, 0.2F);
 }
 
-void lines(Pen const& pen) {
+void lines(IconPen const& pen) {
     for (float const y : std::array{-0.56F, 0.F, 0.56F}) {
         pen.dot(-0.70F, y, 0.15F);
         pen.line(-0.34F, y, 0.76F, y);
     }
 }
 
-void drawTransport(Pen const& pen, Icon icon) {
+void drawTransport(IconPen const& pen, Icon icon) {
     switch (icon) {
     case Icon::Slower:
         pen.triangle(0.90F, -0.68F, 0.90F, 0.68F, -0.02F, 0);
@@ -216,7 +174,7 @@ void drawTransport(Pen const& pen, Icon icon) {
     }
 }
 
-void drawSign(Pen const& pen, Icon icon) {
+void drawSign(IconPen const& pen, Icon icon) {
     switch (icon) {
     case Icon::Menu:
         for (float const y : std::array{-0.55F, 0.F, 0.55F}) {
@@ -259,7 +217,7 @@ void drawSign(Pen const& pen, Icon icon) {
 } // namespace
 
 void drawIcon(ImDrawList& list, Icon icon, ImVec2 centre, float size, ImU32 colour) {
-    Pen const pen(list, centre, size, colour);
+    IconPen const pen(list, centre, size, colour);
     switch (icon) {
     case Icon::Save:
         return save(pen);

@@ -49,7 +49,7 @@ std::array<Point, 16> placesAround(NamedBox const& box) {
     return all;
 }
 
-/// What a name hides at a place, in square pixels, and the more the less welcome the place is.
+/// The area that a name hides at a place, in square pixels, increased for places that are less suitable.
 class NameCost {
 public:
     NameCost(std::span<NamedBox const> boxes, Point screen, std::vector<NameFrame> const& placed)

@@ -45,8 +45,7 @@ struct Theme {
 void applyStyle(float scale);
 
 /// Empties ImGui's font atlas and loads the letters for a UI scale. Looks for Inter (package fonts-inter),
-/// then DejaVu (fonts-dejavu-core); whatever signs Inter lacks come from DejaVu. Never fails: see
-/// Fonts::message.
+/// then DejaVu (fonts-dejavu-core); signs that Inter lacks come from DejaVu. Never fails: see Fonts::message.
 [[nodiscard]] Fonts loadFonts(float scale);
 
 } // namespace trembler::render

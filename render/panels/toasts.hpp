@@ -16,8 +16,8 @@ enum class ToastKind : std::uint8_t { News, Success, Trouble };
 /// Window thread only.
 class Toasts {
 public:
-    /// Shown for `seconds` (0.5 to 60, else clamped), under the toasts that are shown already. The oldest
-    /// goes when there are five.
+    /// Shown for `seconds` (0.5 to 60, else clamped), under the toasts that are shown already. The oldest is
+    /// removed when there are five.
     void add(std::string text, ToastKind kind = ToastKind::News, double seconds = 4);
 
     /// Corners of a rectangle of the window, pixels from the top left.

@@ -14,8 +14,8 @@ struct ToolboxTile {
     float side = 92.F; ///< pixels at UI scale 1
 };
 
-/// The player's actions on a tile. `taken` is true in the frame in which the mouse goes down on it, so that a
-/// part can be dragged straight out into the world; a tile with none left is never taken.
+/// The player's actions on a tile. `taken` is true in the frame in which the mouse button is pressed on it,
+/// so that a part can be dragged straight out into the world; a tile with none left is never taken.
 struct TileUse {
     bool hovered = false;
     bool taken = false;

@@ -35,7 +35,7 @@ struct SceneOptions {
     Overlays overlays{};
     std::span<Area const> placing{};     ///< where parts may be placed
     std::span<GoalRegion const> goals{}; ///< that a goal asks about
-    std::span<Ripple const> ripples{};   ///< of what sounds
+    std::span<Ripple const> ripples{};   ///< of sounding objects
 };
 
 /// Draws a world. Holds the poses that drawing must remember from frame to frame, and nothing of the world

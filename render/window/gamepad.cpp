@@ -91,7 +91,7 @@ void Gamepads::unplug(SDL_JoystickID id, std::vector<SDL_Event>& events) {
     pads_.erase(found);
     secondHeld_ = {};
     secondX_ = secondY_ = 0;
-    for (SDL_Keycode const key : std::vector<SDL_Keycode>(held_)) { // nobody will let them go
+    for (SDL_Keycode const key : std::vector<SDL_Keycode>(held_)) { // their release will never be reported
         press(key, false, events);
     }
 }
@@ -210,7 +210,7 @@ bool Gamepads::takeSecond(SDL_Event const& event, std::vector<SDL_Event>& events
     }
     bool const down = event.type == SDL_CONTROLLERBUTTONDOWN;
     secondHeld_[event.cbutton.button] = down;
-    if (!down) { // it may have gone down while it still gave keys
+    if (!down) { // it may have been pressed while its buttons still gave keys
         press(padKey(static_cast<SDL_GameControllerButton>(event.cbutton.button)), false, events);
     }
     return true;

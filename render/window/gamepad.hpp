@@ -1,4 +1,5 @@
-// Gamepads: their buttons arrive as keys, so that whatever a key can do a button can do, and can be bound.
+// Gamepads: their buttons arrive as keys, so that a button can do everything that a key can, and can be
+// bound.
 #pragma once
 
 #include <SDL_events.h>
@@ -49,7 +50,7 @@ struct SecondPad {
 /// Whose the gamepads are.
 enum class PadUse : std::uint8_t {
     together,    ///< all give keys
-    secondApart, ///< that which was plugged in second is the second player's
+    secondApart, ///< the one plugged in second is the second player's
     lastApart,   ///< the last one is, even if it is the only one
 };
 

@@ -48,7 +48,6 @@ std::vector<SDL_Event> InputEvents::takePadKeys() {
 void InputEvents::take(SDL_Event const& event) {
     switch (event.type) {
     case SDL_QUIT:
-        quit_ = true;
         quitAsked_ = true;
         break;
     case SDL_MOUSEMOTION:
@@ -81,7 +80,7 @@ void InputEvents::take(SDL_Event const& event) {
     }
 }
 
-/// The text belongs to whoever takes the event; later readers of the event get none.
+/// The reader of the event owns the text; later readers of the event get none.
 void InputEvents::takeDrop(SDL_DropEvent& event) {
     if (event.type == SDL_DROPFILE && event.file != nullptr) {
         std::string const name(event.file);
@@ -133,7 +132,6 @@ void InputEvents::takeWindow(SDL_WindowEvent const& event) {
         inside_ = false;
         break;
     case SDL_WINDOWEVENT_CLOSE:
-        quit_ = true;
         quitAsked_ = true;
         break;
     case SDL_WINDOWEVENT_FOCUS_LOST:

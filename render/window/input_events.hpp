@@ -32,7 +32,7 @@ public:
     /// The events that the last poll took, in order; behind those of a gamepad the keys that they stand for.
     [[nodiscard]] std::span<SDL_Event const> events() const { return events_; }
 
-    /// Takes the keys of gamepads out of this frame's events, and out of the held keys: nobody else has
+    /// Takes the keys of gamepads out of this frame's events, and out of the held keys: no other reader gets
     /// them then. For a keyboard on the screen.
     std::vector<SDL_Event> takePadKeys();
     /// Adds an event of this frame that only the widgets get, as a keyboard on the screen makes them.
@@ -62,9 +62,7 @@ public:
     /// Files that the player dropped onto the window in this frame, in order.
     [[nodiscard]] std::span<std::filesystem::path const> dropped() const { return dropped_; }
 
-    /// The player closed the window or the desktop asks the program to end; stays true.
-    [[nodiscard]] bool quit() const { return quit_; }
-    /// The same, in this frame only.
+    /// In this frame the player closed the window, or the desktop asked the program to end.
     [[nodiscard]] bool quitAsked() const { return quitAsked_; }
 
 private:
@@ -94,7 +92,6 @@ private:
     double wheel_ = 0;
     unsigned modifiers_ = 0;
     bool inside_ = false;
-    bool quit_ = false;
     bool quitAsked_ = false;
 };
 

@@ -10,7 +10,7 @@
 
 namespace trembler {
 
-/// How a call combines with other calls. With none of these does the last call win.
+/// How a call combines with other calls. No algebra lets the last call win.
 enum class Algebra {
     sumOfRates,   ///< held: contributions add up for as long as the interaction holds them (forces)
     sumOfAmounts, ///< once: contributions add up (impulses)

@@ -111,7 +111,7 @@ struct CallSource {
 
 private:
     /// A call that a role was given later declares `static constexpr bool hashedOnlyIfMade = true`: while
-    /// nobody makes it, worlds keep the hashes that they had before there was such a call.
+    /// no interaction makes it, worlds keep the hashes that they had before there was such a call.
     template <class C>
     static void hashBuffer(CallBuffer<C> const& buffer, StateHash& hash) {
         if constexpr (requires { C::hashedOnlyIfMade; }) {

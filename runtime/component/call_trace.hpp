@@ -34,7 +34,8 @@ public:
     void widen(std::size_t chunks) { now_.resize(std::max(chunks, now_.size())); }
     /// Call at the end of an apply: its held calls replace those of the last apply.
     void end() { std::swap(last_, now_); }
-    /// Call instead of end() if the apply has failed: nothing is held, and what will be is new.
+    /// Call instead of end() if the apply has failed: nothing is held any more, so every later held call is
+    /// an event.
     void forget() {
         last_.clear();
         now_.clear();
@@ -116,7 +117,7 @@ private:
         }
         auto const known = std::lower_bound(now.known.begin(), now.known.end(), key, before);
         if (known != now.known.end() && known->key == key) {
-            ++now.next; // as if it had been in its place: others may still be
+            ++now.next; // as if it had been the expected call, so that the following calls may still match
             return known->id;
         }
         auto const here = now.fresh.find(key);

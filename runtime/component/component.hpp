@@ -57,9 +57,9 @@ public:
     virtual void bind(Store& store, Channels& channels) = 0;
     /// Whether running it now could have any effect.
     [[nodiscard]] virtual bool hasWork() const = 0;
-    /// Whether it certainly has no work: it has stated for what it waits, and none of that has changed. The
-    /// world asks it of every component in every part of a frame, so it is not virtual and looks at little
-    /// memory. If false, hasWork() decides.
+    /// Whether it certainly has no work: it has stated its watches, and none of them has changed. The world
+    /// asks it of every component in every part of a frame, so it is not virtual and looks at little memory.
+    /// If false, hasWork() decides.
     [[nodiscard]] bool sleeps() const {
         return waiting_ &&
                std::none_of(awaited_.begin(), awaited_.end(), [](Watch const& w) { return w.changed(); });
@@ -87,7 +87,7 @@ protected:
     [[nodiscard]] CallerId caller() const { return caller_; }
 
 private:
-    std::span<Watch const> awaited_; // first, so that what sleeps() looks at lies together
+    std::span<Watch const> awaited_; // first, so that the data that sleeps() reads is adjacent in memory
     bool waiting_ = false;
 
 protected:

@@ -129,8 +129,8 @@ public:
         return first_ || reads_.changed();
     }
     [[nodiscard]] std::size_t workload() const override { return reads_.rows(); }
-    /// A turn that ends by an exception has made no calls: what it recorded is withdrawn, as the next turn
-    /// will record all of it. Nothing is held until then.
+    /// A turn that ends by an exception has made no calls: its records are withdrawn, as the next turn makes
+    /// all its calls again. Nothing is held until then.
     void run(FrameContext const& context) final {
         bool const stood = !source_.empty();
         source_.startTurn();

@@ -125,8 +125,8 @@ public:
         return reads_.changed() || writes_.changed() || channel_->version() != seenCalls_;
     }
     [[nodiscard]] std::size_t workload() const override { return reads_.rows() + writes_.rows(); }
-    /// No call is carried out twice, not even if an exception ends the advance: what the call has done by
-    /// then stays, and what it has not done will not be done.
+    /// No call is carried out twice, not even if an exception ends the advance: the effects of the call up to
+    /// then remain, and the rest of it is never carried out.
     void run(FrameContext const& context) final {
         openSinks(context, 1, Phase::resolver);
         channel_->noteSpeaking();

@@ -1,5 +1,5 @@
-// The calls of a role without their C++ types: what each is about, its arguments with their units and ranges,
-// and a way to make it. Who writes an interaction in another language than C++ needs nothing else.
+// The calls of a role without their C++ types: their arguments with units and ranges, and a way to make them.
+// With these, interactions can be written in another language than C++.
 #pragma once
 
 #include "runtime/component/call.hpp"
@@ -62,8 +62,8 @@ public:
     /// Instead of end(), of a turn that an exception ended: takes back the calls of this turn.
     virtual void fail() = 0;
     /// Records `count` calls of one kind without a trace, as record() does one after the other: `bytes` are
-    /// values of its C++ type side by side. For whoever gathers the calls of a turn first: it costs what a
-    /// copy costs, and no indirect call for each.
+    /// values of its C++ type side by side. For interactions that gather the calls of a turn first: it costs
+    /// one copy, without an indirect call for each call.
     virtual void recordMany(std::size_t call, void const* bytes, std::size_t count) = 0;
 };
 
@@ -71,7 +71,7 @@ public:
 struct RoleInfo {
     std::type_index type;
     std::string_view name;
-    std::vector<CallDescription> calls; ///< but for those in sequence, which come from outside the world
+    std::vector<CallDescription> calls; ///< without calls in sequence, which come from outside the world
     std::unique_ptr<OpenSource> (*open)();
 };
 

@@ -5,8 +5,8 @@
 
 namespace trembler {
 
-/// A frame inside an outer one: what lies in it is first mirrored about its own y axis, if it is flipped,
-/// then turned, then shifted. A frame that does none of these changes no bit.
+/// A frame inside an outer one: an object in it is first mirrored about the object's own y axis, if the frame
+/// is flipped, then turned, then shifted. A frame without any of these changes no bit.
 struct PieceFrame {
     Vec2 at;          ///< m
     double angle = 0; ///< rad
@@ -14,7 +14,7 @@ struct PieceFrame {
 
     friend bool operator==(PieceFrame const&, PieceFrame const&) = default;
 
-    /// -v, but 0 for 0: that the number 0 has a sign would make mirror images differ in bits.
+    /// -v, but 0 for 0: with the sign of -0 mirror images would differ in bits.
     [[nodiscard]] static double negative(double v) { return 0.0 - v; }
     [[nodiscard]] static Vec2 mirrored(Vec2 v) { return {negative(v.x), v.y}; }
 

@@ -244,7 +244,7 @@ nlohmann::ordered_json notationJson(Registry const& registry) {
                               {"offers", names(info.offers)},
                               {"work", info.text.work},
                               {"calls", calls},
-                              {"called_for", activation(info)},
+                              {"activated_by", activation(info)},
                               {"shortcut", shortcutNote(registry, info)},
                               {"in_setup", info.inSetup}});
     }
@@ -254,7 +254,7 @@ nlohmann::ordered_json notationJson(Registry const& registry) {
                                {"reads", names(info->reads)},
                                {"adds", names(info->adds)},
                                {"work", info->text.work},
-                               {"called_for", boxOf(*info).rows.back().text}});
+                               {"activated_by", boxOf(*info).rows.back().text}});
     }
     Json properties = Json::array();
     for (PropertyInfo const* info : registry.objectProperties()) {

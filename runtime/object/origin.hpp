@@ -34,8 +34,8 @@ struct Origin {
     std::uint64_t number = 0;
     /// Of a birth: CreateObject::maker, which may no longer exist. Otherwise invalid.
     ObjectId maker;
-    /// Of an object or a placement that is made from a composite part: which of the objects it is that became
-    /// of it, from 0: its pieces by name, then its joints by name. Otherwise 0.
+    /// Of an object or a placement that is made from a composite part: the object's number among the objects
+    /// made from it, from 0: its pieces by name, then its joints by name. Otherwise 0.
     std::uint32_t piece = 0;
 
     friend bool operator==(Origin const&, Origin const&) = default;

@@ -39,8 +39,8 @@ struct PropertyText {
     std::string_view key;
     std::string_view meaning;
     PropertyPlace place = PropertyPlace::properties;
-    /// The key of a property that it is made for: an object that states that one, and not this one, does not
-    /// take this one from its part.
+    /// The key of another property to which this one belongs, as a drawing belongs to a shape: an object that
+    /// states the other property itself, but not this one, does not inherit this one from its part.
     std::string_view madeFor{};
 };
 
@@ -57,12 +57,12 @@ struct AccuracyRange {
     }
 };
 
-/// What a field is in space, so that an object can be moved, turned and mirrored by the descriptions of its
-/// properties alone (runtime/level/property/move_property.hpp). To mirror an object exchanges left and right
-/// of its own frame.
+/// The geometric meaning of a field. With it an object can be moved, turned and mirrored by the descriptions
+/// of its properties alone (runtime/level/property/move_property.hpp). Mirroring exchanges left and right in
+/// the object's own frame.
 enum class FieldGeometry : std::uint8_t {
-    unstated,  ///< nothing in space; a vector, an angle and an angular speed must state what they are
-    invariant, ///< has a direction or a sense, but one that is the same for every place and for mirror images
+    unstated,  ///< no geometric meaning; not allowed for vectors, angles and angular speeds
+    invariant, ///< a direction or a sense that is the same at every place and in mirror images
     ownVector, ///< a point or a direction in the object's frame
     /// A list of points in the object's frame that runs anticlockwise, so that a mirror image reverses it.
     ownOutline,
@@ -72,11 +72,11 @@ enum class FieldGeometry : std::uint8_t {
     turningLower, ///< the lower limit of a `turning`: a mirror image has the upper one with the other sign
     turningUpper,
     worldPoint,  ///< a point in the world, or in the frame of the part that the object is a piece of
-    worldVector, ///< a direction there
-    /// A direction there along which something is measured. A mirror image of it is reversed, so that what is
-    /// measured changes its sign, as angles do: a gear then joins both as before.
+    worldVector, ///< a direction in the same frame
+    /// A direction, in the same frame, along which a displacement is measured. A mirror image of it is
+    /// reversed, so that the displacement changes its sign, as angles do: a gear then joins both as before.
     worldAxis,
-    heading, ///< the angle of the object itself, there
+    heading, ///< the angle of the object itself, in the same frame
 };
 
 /// One field of a property. A field with key "value" is written bare in files: "mass": 2.
@@ -123,8 +123,8 @@ concept Described = requires(T& t) {
     T::describe(t, [](FieldInfo const&, auto&) {});
 };
 
-/// A property that may lack describe(). What a level file can state must be described, so an object property
-/// may lack it only as a marker, which has no members, or if no file states it.
+/// A property that may lack describe(). Object properties that a level file can state must have it, except
+/// markers, which have no members.
 template <class P>
 concept MayLackFields = Property<P> &&
     (P::kind != PropertyKind::object || std::is_empty_v<P> || P::text.place == PropertyPlace::hidden);

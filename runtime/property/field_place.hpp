@@ -87,8 +87,8 @@ void addPlaces(T const& value, std::vector<FieldPlace>& places) {
 
 } // namespace detail
 
-/// The fields of T at the top, in the order of their description. Which there are may depend on the choices
-/// in a value: those of all choices are listed.
+/// The fields of T at the top, in the order of their description. Some fields may exist only with certain
+/// choices in a value: the fields of all choices are listed.
 template <Described T>
 [[nodiscard]] std::vector<FieldPlace> fieldPlaces() {
     std::vector<FieldPlace> places;

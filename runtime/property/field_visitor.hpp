@@ -104,7 +104,7 @@ void dispatch(FieldVisitor& visitor, FieldInfo const& info, T& value) {
 
 } // namespace detail
 
-/// Visits every field of `property`; one that describes none has none.
+/// Visits every field of `property`; a property without describe() has none.
 template <class P>
 void visitFields([[maybe_unused]] P& property, [[maybe_unused]] FieldVisitor& visitor) {
     if constexpr (Described<P>) {

@@ -38,8 +38,8 @@ constexpr std::size_t memberCount() {
 } // namespace detail
 
 /// Calls f(member) for every member of a plain struct (an aggregate without base classes and C arrays, of at
-/// most 32 members), in the order of their declaration. The ladder replaces packs of structured bindings,
-/// which C++20 does not have.
+/// most 32 members), in the order of their declaration. One case for each number of members, because C++20
+/// has no packs of structured bindings.
 template <class T, class F>
 constexpr void forEachMember(T& object, F&& f) {
     using Plain = std::remove_cv_t<T>;

@@ -28,7 +28,8 @@ void World::select() {
     facts.subscribed.clear();
     std::vector<Choice> own = onlookers ? selectComponents(graph_, facts) : choices;
     for (std::size_t i = 0; i < entries_.size(); ++i) {
-        if (entries_[i].status.period == 0) { // left out, see setPeriod(); what it held is withdrawn
+        if (entries_[i].status.period ==
+            0) { // left out, see setPeriod(); the calls that it held are withdrawn
             choices[i] = own[i] = {};
         }
     }

@@ -34,7 +34,7 @@ void World::step(PartLook const& look) {
     }
     Raised const raised(underWay_);
     if (!std::exchange(whole_, false) && tracer_) {
-        gatherTrace(); // what the frame recorded that an exception ended
+        gatherTrace(); // the events of a frame that an exception ended
     }
     now_ = {now_.frame + 1, 1, 1, now_.step + 1};
     ticks_ = (now_.frame - 1) * ticksPerFrame;

@@ -56,7 +56,7 @@ void World::giveTurn(Entry& entry) {
     entry.lastTick = ticks_; // time that it sleeps through is not part of its next turn
 }
 
-// Sleeping through a turn costs no more than finding that out; what that leaves undone is done here.
+// A turn that an entry sleeps through does not update the entry; its time is brought up to date here.
 void World::wake(Turn& turn) {
     if (turn.quiet) {
         entries_[turn.entry].lastTick = settledTicks_;
@@ -95,7 +95,7 @@ void World::runPhase(ComponentKind kind) {
         if (runs) {
             running.push_back(turn.entry);
         } else {
-            // One whose turn is not in this phase at all, such as the frame's divider, has not been asked.
+            // An entry without a turn in this phase, such as the frame's divider, has not been asked.
             turn.quiet = hasTurn(entry) && entry.status.activity == Activity::asleep &&
                          entry.status.period == 1 && entry.shortcuts.empty();
         }

@@ -2,7 +2,6 @@
 #include "physics/dynamics/properties/body.hpp"
 #include "physics/dynamics/properties/shape.hpp"
 #include "physics/electricity/properties/electrical.hpp"
-#include "physics/electricity/rules/initial_connections.hpp"
 #include "physics/gravity/properties.hpp"
 #include "physics/magnetism/properties.hpp"
 #include "runtime/level/read/read_level.hpp"

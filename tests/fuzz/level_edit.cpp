@@ -58,7 +58,7 @@ void fuzzLevelEdit(std::string_view bytes) {
     LiveProblems problems;
     static_cast<void>(problems.refresh(*document));
     std::string const after = document->text();
-    std::size_t const steps = document->history().size();
+    std::size_t const steps = document->done();
     document->goTo(0);
     mustHold(document->text() == before, "undoing everything does not give the file");
     document->goTo(steps);

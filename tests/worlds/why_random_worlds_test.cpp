@@ -1,7 +1,7 @@
 // In any world, a cause that is reported as confirmed is one: without it, what was asked about does not
 // happen. And no effect is reported before its cause.
 #include "insight/why/answer.hpp"
-#include "insight/why/candidates.hpp"
+#include "insight/why/runs/candidates.hpp"
 #include "puzzle/goals/level_schema.hpp"
 #include "runtime/level/build/build_world.hpp"
 #include "runtime/level/read/read_level.hpp"

@@ -1,4 +1,4 @@
-// A limit of what reaches a listener from a group of sources.
+// An upper limit of the sound that reaches a listener from a group of sources.
 #pragma once
 
 #include "audio/effect/hearing/obstacle_field.hpp"

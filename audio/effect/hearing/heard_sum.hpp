@@ -38,7 +38,7 @@ public:
     /// The share of the sum below which a source is neglected at first, if nothing else is stated.
     static constexpr double usuallyNeglected = 0x1p-68;
 
-    /// `silence` in Pa²: what is fainter counts as nothing. False if no source can reach the listener.
+    /// `silence` in Pa²: fainter sounds count as nothing. False if no source can reach the listener.
     bool begin(SoundListener const& listener, SourceTree const& tree, double silence,
                double neglected = usuallyNeglected);
     /// Takes the results of the ways that it asked for, and asks for others; false if it needs no more. The

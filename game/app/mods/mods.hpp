@@ -1,4 +1,4 @@
-// Mods on the command line: which a level needs, where they are, and what their scripts say.
+// Mods on the command line: which a level needs, where they are, and the messages of their scripts.
 #pragma once
 
 #include "puzzle/data/game_data.hpp"
@@ -45,7 +45,7 @@ void registerModsIn(Registry& registry, std::vector<lua::Mod> const& mods);
 verifyWithScripts(GameData const& gameData, std::filesystem::path const& level,
                   std::map<std::string, std::string> const& detail = {});
 
-/// Writes what scripts have said since the last time to standard error: errors, and what they log.
+/// Writes the scripts' messages since the last time to standard error: errors, and lines that they log.
 void reportScriptMessages(GameData const& gameData);
 
 } // namespace trembler

@@ -12,7 +12,7 @@ struct PictureSize {
     int height = 0; ///< pixels
 };
 
-/// "1280x720". Throws std::invalid_argument that says what is allowed.
+/// "1280x720". Throws std::invalid_argument with the allowed values.
 [[nodiscard]] PictureSize pictureSizeFrom(std::string const& text);
 /// Adds the option; `size` holds its default.
 CLI::Option* addPictureSize(CLI::App& command, std::string& size);

@@ -1,4 +1,5 @@
-// trembler report: what the solutions of levels need, how exact they must be, and what else solves them.
+// trembler report: the parts and effects that the solutions of levels need, how exact they must be, and other
+// ways to solve them.
 #include "game/app/commands.hpp"
 #include "game/app/mods/mods.hpp"
 #include "game/app/options/inputs.hpp"

@@ -39,8 +39,8 @@ struct LevelSummary {
     nlohmann::ordered_json json;
     std::vector<std::string> lines; ///< for people, one for each kind of solution
 };
-/// In the leader only. Keeps what was found, if that is asked for, in files that replace none, and none of
-/// `outputs`. Throws OutputError.
+/// In the leader only. Writes the solutions that were found, if that is requested, in files that replace
+/// none, and none of `outputs`. Throws OutputError.
 [[nodiscard]] LevelSummary summaryOf(SearchedLevel const& searched, insight::LevelUnderTest const& level,
                                      SolveArguments const& arguments, Outputs const& outputs,
                                      WorkPlace& place);

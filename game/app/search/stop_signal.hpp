@@ -1,4 +1,4 @@
-// Lets Ctrl-C end a long command with what it has.
+// Lets Ctrl-C end a long command, which then prints its results so far.
 #pragma once
 
 #include <csignal>

@@ -2,7 +2,7 @@
 
 #include "game/ui/app/command_lists.hpp"
 #include "game/ui/app/dropped_file.hpp"
-#include "game/ui/app/title_screen.hpp"
+#include "game/ui/app/title/title_screen.hpp"
 #include "game/ui/edit/edit_screen.hpp"
 #include "game/ui/play/play_screen.hpp"
 #include "game/ui/shared/shown_faults.hpp"

@@ -1,7 +1,7 @@
 // The game in its window: shows one screen at a time, and the menu over it.
 #pragma once
 
-#include "game/ui/app/menu.hpp"
+#include "game/ui/app/menu/menu.hpp"
 #include "game/ui/shared/screen.hpp"
 #include "game/ui/shared/ui_context.hpp"
 
@@ -44,7 +44,7 @@ public:
     /// Opens a level. Throws InputError if it cannot be read or built; the current screen then stays.
     void open(std::filesystem::path const& level);
     /// Opens the editor with a level file; an empty path: with a new level. A file that cannot be edited is
-    /// shown read-only, with the list of what is wrong.
+    /// shown read-only, with the list of its errors.
     void edit(std::filesystem::path const& level);
     void showTitle();
     void openMenu(MenuPage page) { menu_.open(page); }

@@ -1,6 +1,6 @@
 #include "game/ui/app/command_lists.hpp"
 
-#include "game/ui/app/title_screen.hpp"
+#include "game/ui/app/title/title_screen.hpp"
 #include "game/ui/edit/commands/edit_commands.hpp"
 #include "game/ui/edit/edit_parts.hpp"
 #include "game/ui/play/commands/play_commands.hpp"

@@ -13,9 +13,8 @@ struct DroppedFile {
     std::string why; ///< for the player: why it is neither
 };
 
-/// Looks at the keys of a JSON file: levels have "version", solutions "placements", "inputs" or "wires".
-/// Whether the rest is right is found out by whoever opens it. Throws nothing; a file that cannot be read is
-/// neither.
+/// Looks at the keys of a JSON file: levels have "version", solutions "placements", "inputs" or "wires". The
+/// rest of the file is checked when it is opened. Throws nothing; a file that cannot be read is neither.
 [[nodiscard]] DroppedFile lookAtDropped(std::filesystem::path const& file);
 
 } // namespace trembler::ui

@@ -1,4 +1,4 @@
-// The time between pictures of the window: as many as are worth while, and none that shows nothing new.
+// The pace of the window's pictures: no more than the display shows, and none that equals the last one.
 #pragma once
 
 #include "game/ui/app/app.hpp"
@@ -16,7 +16,7 @@ class GameLoop {
 public:
     GameLoop(GameApp& app, render::Window& window) : app_(app), window_(window) {}
 
-    /// One picture, which is not drawn if it would be that of before, or if the window is not visible; then
+    /// One picture, which is not drawn if it would equal the last one, or if the window is not visible; then
     /// waits until the next is due. Returns false once the player has left.
     bool turn() {
         drawn_ += seen_ ? 1U : 0U;

@@ -18,9 +18,10 @@ struct PlayOptions {
         picture; ///< file that playWithoutDisplay writes; empty: trembler-NAME.png in `pictures`
     WorldOptions world{};
     bool fullscreen = false;
-    bool edits = false;                ///< `level` is opened in the editor; empty: a new one
-    GameData const* ofLevel = nullptr; ///< what `level` is played with without a display; nullptr: as others
-    LevelData levelData{};             ///< see GameOptions
+    bool edits = false; ///< `level` is opened in the editor; empty: a new one
+    GameData const* ofLevel =
+        nullptr; ///< the data with which `level` is played without a display; nullptr: as for other levels
+    LevelData levelData{};                     ///< see GameOptions
     std::vector<std::filesystem::path> mods{}; ///< see GameOptions
 };
 

@@ -7,7 +7,7 @@
 
 namespace trembler::ui {
 
-/// Whether a success of this run is the player's: nothing is if it would have come about by itself.
+/// Whether a success of this run counts as the player's: not if the level reaches its goals by itself.
 [[nodiscard]] bool byPlayer(Session const& session);
 
 /// Follows one run at a time. Not thread-safe.
@@ -24,7 +24,7 @@ public:
     void pass(double seconds) { age_ += showing_ ? seconds : 0; }
 
     [[nodiscard]] bool showing() const { return showing_; }
-    /// How long it has been going on, s.
+    /// The time since it began, s.
     [[nodiscard]] double age() const { return age_; }
     /// When the run was solved, s from its beginning; nothing if it has not been.
     [[nodiscard]] std::optional<double> solvedAt() const { return solvedAt_; }

@@ -124,7 +124,8 @@ std::optional<std::string> drawGoalCard(Layout& layout, Session const& session, 
     ImGui::GetWindowDrawList()->AddRectFilled({low.x, y}, {low.x + scaled(36), y + scaled(3)},
                                               imColour(palette::accent), scaled(1.5F));
     ImGui::Dummy({0, scaled(3)});
-    // What does not fit between the heading and the buttons scrolls: its height is that of the last picture.
+    // Text that does not fit between the heading and the buttons scrolls; the height used is that of the last
+    // picture.
     ImGuiID const heightId = ImGui::GetID("height of the content");
     float const height = ImGui::GetStateStorage()->GetFloat(heightId);
     float const most = ImGui::GetIO().DisplaySize.y - scaled(2 * cardGap + bottomRow + look.below) -

@@ -24,7 +24,7 @@ struct GoalCardLook {
     bool task = false;                   ///< of a demonstration
     std::span<int const> counts{};       ///< see goalCounts()
     std::span<GoalStatus const> goals{}; ///< as they were at the moment that is shown; empty: as they are
-    float below = 0;                     ///< height of what is above the buttons, pixels at UI scale 1
+    float below = 0;                     ///< height of the part above the buttons, pixels at UI scale 1
     bool why = false;                    ///< each goal has a button to ask why
 };
 

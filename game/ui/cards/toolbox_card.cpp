@@ -40,7 +40,7 @@ void drawWhereToDrop() {
     list.AddRect(low, high, imColour(palette::accent), scaled(12), 0, scaled(3));
 }
 
-/// What can be done with the part in hand, where there is room for it.
+/// The keys for the part in the hand, if there is room for them.
 void drawHandRow(CommandButtons& buttons) {
     float const width = 4 * scaled(40) + 3 * scaled(7);
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 0.5F * (ImGui::GetContentRegionAvail().x - width));

@@ -149,7 +149,7 @@ void EditParts::read() {
         Problems faults; // shown by the list of problems
         LevelFile now = readLevel(data->registry, document.json(), faults);
         level = std::move(now);
-    } catch (InputError const&) { // no JSON, or too large: what was seen stays
+    } catch (InputError const&) { // no JSON, or too large: the shown world stays
     }
     LevelFile shown = level;
     std::erase_if(shown.objects,
@@ -175,7 +175,7 @@ void EditParts::followChanges(bool dragging) {
             return;
         }
         if (readTook_ > quickRead && sinceRead_ < pauseBeforeReading) {
-            return; // what the world cannot follow is seen a little later
+            return; // a change that the world cannot follow is shown a little later
         }
     }
     read();

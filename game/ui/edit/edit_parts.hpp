@@ -37,7 +37,7 @@ struct EditOptions {
     std::shared_ptr<GameData const> data;
     /// The data for editing a level that names mods, see GameOptions; may be empty.
     std::function<std::shared_ptr<GameData const>(std::filesystem::path const&)> levelData{};
-    /// Called with the new data when the designer has made a part: the game is to know it at once.
+    /// Called with the new data when the designer has made a part, so that the game can use it at once.
     std::function<void(std::shared_ptr<GameData const>)> partsMade{};
     WorldOptions world{};
     std::filesystem::path recovery{}; ///< folder for unsaved work; empty: none is kept
@@ -61,8 +61,8 @@ struct InspectedSelection {
     bool known = false;
 };
 
-/// Each part keeps its own state; here is what concerns several. Window thread only; the context must outlive
-/// it.
+/// Each part keeps its own state; the members here concern several. Window thread only; the context must
+/// outlive it.
 struct EditParts {
     EditParts(UiContext& uiContext, EditOptions editOptions);
     EditParts(EditParts const&) = delete;
@@ -114,11 +114,11 @@ struct EditParts {
     std::unique_ptr<PlayScreen> test;      ///< while the level is test-played
     std::string recordsOver;               ///< the solution that the next recording replaces; empty: none
     LiveGoals goals;                       ///< of the present or the last test play
-    std::shared_ptr<LevelStudies> studies; ///< what was found out about the level, and what is; not nullptr
+    std::shared_ptr<LevelStudies> studies; ///< finished and running studies of the level; not nullptr
     Pointer pointer;                       ///< of this picture
-    std::optional<ScreenRequest> request;  ///< what this picture asks of the program
+    std::optional<ScreenRequest> request;  ///< the request of this picture to the program
     std::optional<ScreenRequest> leaving;  ///< asked for once the changes are saved or given up
-    std::function<void(EditParts&)> afterSaving; ///< what waits for it; empty: nothing
+    std::function<void(EditParts&)> afterSaving; ///< to be called after it; may be empty
 
     [[nodiscard]] edit::Json const& tree() const { return document.tree(); }
     [[nodiscard]] render::Camera const& camera() const { return view.camera(); }
@@ -127,8 +127,8 @@ struct EditParts {
     [[nodiscard]] bool changing() const { return sinceChange_ < 0.1; }
     [[nodiscard]] bool dialogOpen() const { return browser.isOpen() || palette.isOpen() || dialogs.isOpen(); }
 
-    /// Makes a command from the present tree and runs it; what it made is selected. If it is refused,
-    /// the designer gets the reason. Returns whether it was done.
+    /// Makes a command from the present tree and runs it; the objects that it made are selected. If it is
+    /// refused, the designer gets the reason. Returns whether it was done.
     bool run(std::function<edit::Command(edit::Json const&)> const& make,
              std::optional<edit::Gesture> gesture = {});
     void giveUpLeaving() {
@@ -137,7 +137,7 @@ struct EditParts {
     }
     void tell(std::string text, render::ToastKind kind = render::ToastKind::News);
 
-    /// Shows another document. The old one's changes are gone.
+    /// Shows another document. Unsaved changes of the old one are lost.
     void use(edit::LevelDocument next, std::shared_ptr<GameData const> nextData);
     /// Opens a file, or reports why it cannot be opened. A path that does not exist is a new level with that
     /// name.
@@ -161,8 +161,8 @@ private:
     void read();
     void followChanges(bool dragging);
     void setData(std::shared_ptr<GameData const> next);
-    std::shared_ptr<GameData const> plain_;     // options.data, or what was read again
-    std::shared_ptr<GameData const> former_;    // what the world that is seen may still be made of
+    std::shared_ptr<GameData const> plain_;     // options.data, or the data that was read again
+    std::shared_ptr<GameData const> former_;    // the data to which the shown world may still refer
     std::optional<std::uint64_t> readRevision_; // of the document in `level` and `world`
     std::optional<std::uint64_t> seenRevision_; // that `world` shows, or tried to show
     double sinceChange_ = 0;                    // s

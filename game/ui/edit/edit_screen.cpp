@@ -72,7 +72,7 @@ void EditScreen::setView() {
     auto const scale = static_cast<double>(parts_.context.window.uiScale());
     parts_.view.setView(parts_.context.window.size(), {scale * toolColumn, scale * topBar,
                                                        scale * (sidePanelWidth + 24), scale * statusRow});
-    // The view is the designer's: it does not follow what is dragged.
+    // The view is the designer's: it does not follow a dragged object.
     parts_.view.stay();
 }
 
@@ -119,7 +119,7 @@ void EditScreen::updateTest(double seconds) {
     if (asked && std::holds_alternative<request::OpenMenu>(*asked) &&
         (std::get<request::OpenMenu>(*asked).page == MenuPage::main ||
          std::get<request::OpenMenu>(*asked).page == MenuPage::ending)) {
-        asked.reset(); // Esc, the menu's button and what follows a solved level lead back
+        asked.reset(); // Esc, the menu's button and the buttons after a solved level lead back
         return actions::endTest(parts_);
     }
     if (asked && std::holds_alternative<request::OpenLevel>(*asked)) {
@@ -296,7 +296,7 @@ bool EditScreen::mayLeaveFor(ScreenRequest const& asked) {
 void EditScreen::leave() {
     actions::endTest(parts_);
     parts_.studies->stopAll();
-    // In order: what was not saved was given up.
+    // In order: the designer has given up the unsaved changes.
     parts_.autosave->close();
 }
 

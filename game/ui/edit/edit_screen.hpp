@@ -21,7 +21,7 @@ public:
     [[nodiscard]] bool still() const override;
     [[nodiscard]] bool mayLeaveFor(ScreenRequest const& asked) override;
     void leave() override;
-    /// Those of the test play, while it goes on.
+    /// The commands of the test play, during it.
     [[nodiscard]] CommandSet& commands() override;
     [[nodiscard]] std::span<Gesture const> gestures() const override;
     [[nodiscard]] std::filesystem::path const& level() const override { return parts_.document.path(); }

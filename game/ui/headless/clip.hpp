@@ -21,8 +21,8 @@ struct ClipOptions {
     double seconds = 8;          ///< s of the world that are shown, at its real speed
     int rate = 30;               ///< pictures per second, 1 to 60
     render::Overlays overlays{};
-    /// Called after each frame of the world and each picture with what is done and what is to be done; may be
-    /// empty.
+    /// Called after each frame of the world and each picture with the numbers of steps done and in all; may
+    /// be empty.
     std::function<void(std::uint64_t, std::uint64_t)> progress;
 };
 

@@ -18,8 +18,8 @@ namespace ui {
 [[nodiscard]] std::vector<std::filesystem::path> sampleFolders(GameData const& gameData,
                                                                std::filesystem::path const& level);
 
-/// A listener at the place of a player who sees the whole level: in front of the middle of its bounds, at a
-/// distance of their height (0.5 to 50 m). For a level without bounds, the bounding box of the objects'
+/// A listener at the place from which a player sees the whole level: in front of the middle of its bounds, at
+/// a distance of their height (0.5 to 50 m). For a level without bounds, the bounding box of the objects'
 /// initial positions is used.
 [[nodiscard]] Listener listenerFor(LevelFile const& level, World const& world);
 

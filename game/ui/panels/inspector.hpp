@@ -31,9 +31,9 @@ struct InspectorSection {
 
 /// The inspector's contents for an object: first derived values (speed, electricity, contacts, forces,
 /// sound), then all its properties in order of keys. The sound level is known only while some component or
-/// view requests the world's Sounds, as SoundView does. Empty if the object does not exist.
-/// `scripts` are the scripts that the object may name, for the values of their parameters; nullptr: only what
-/// it states is shown.
+/// view requests the world's Sounds, as SoundView does. Empty if the object does not exist. `scripts` are the
+/// scripts that the object may name, for the values of their parameters; nullptr: only its own statements are
+/// shown.
 [[nodiscard]] std::vector<InspectorSection> inspect(World const& world, ObjectId object,
                                                     lua::LiveScripts const* scripts = nullptr);
 

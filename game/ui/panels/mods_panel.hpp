@@ -26,7 +26,7 @@ private:
     void drawParameters(Layout& layout, LiveMods& liveMods, std::size_t number);
 
     bool open_ = false;
-    float content_ = 0;                           // pixels: the height of what was drawn last
+    float content_ = 0;                           // pixels: the height of the contents drawn last
     std::map<std::string, LastingObject> chosen_; // by script: the object whose parameters are shown
 };
 

@@ -9,8 +9,8 @@
 
 namespace trembler::ui {
 
-/// A row for each script with what it does, and one for each of its parameters with the value that counts for
-/// the object. Of a script that `known` has not, or without `known`, only what the object states.
+/// A row for each script with its description, and one for each of its parameters with the value that applies
+/// to the object. For a script that `known` lacks, or without `known`, only the object's own statements.
 [[nodiscard]] std::vector<InspectorRow> scriptRows(lua::Scripts const& scripts,
                                                    lua::LiveScripts const* known);
 

@@ -48,8 +48,8 @@ struct Beside {
     bool narrowSuccess = false; ///< at the right and not in the middle
 };
 
-/// In a small window a panel takes the place of the goal or the toolbox, and gives way to what the player
-/// must see or has asked for last.
+/// In a small window a panel takes the place of the goal or the toolbox, and is hidden behind cards that the
+/// player must see or has opened later.
 Beside cardsBeside(PlayParts const& parts) {
     render::Window const& window = parts.context.window;
     float const width = static_cast<float>(window.size().width) / window.uiScale();

@@ -126,7 +126,7 @@ void drawBlades(PlayParts const& parts) {
 void drawWords(PlayParts const& parts, bool bare) {
     World const& world = parts.shownWorld();
     Camera const& camera = parts.camera();
-    if (bare) { // Gui::endFrame draws what follows before everything else
+    if (bare) { // Gui::endFrame draws the following before everything else
         ImGui::GetBackgroundDrawList()->AddCallback(ImDrawCallback_ResetRenderState, nullptr);
     }
     drawSceneWords(camera, world, parts.scene, parts.alpha(), parts.shown.names);

@@ -5,8 +5,8 @@
 
 namespace trembler::ui {
 
-/// To be called after Window::beginFrame and before Gui::endFrame. Changes only what drawing itself remembers
-/// from picture to picture.
+/// To be called after Window::beginFrame and before Gui::endFrame. Changes only the state that drawing itself
+/// keeps from picture to picture.
 void drawField(PlayParts& parts);
 
 } // namespace trembler::ui

@@ -207,8 +207,8 @@ void PlayParts::passMods(double seconds) {
         return;
     }
     if (why.working() || whatIf->active()) {
-        // Other worlds run the same scripts, which may not change under them; what they say is not of this
-        // run.
+        // Other worlds run the same scripts, which may not change under them; messages from there are not of
+        // this run.
         static_cast<void>(data->scriptLog->take());
         return;
     }

@@ -45,9 +45,9 @@ class WhatIfView;
 /// Each part keeps its own state, which is not copied; here is only state that concerns several parts. Window
 /// thread only; the context must outlive it.
 struct PlayParts {
-    /// `levelData` is what the level is played with if it names mods, else nullptr: then that of the context.
-    /// Throws InputError if the level cannot be read or built.
-    /// `stated` is the level if it was not read from the file; nullptr: it is read.
+    /// `levelData` is the data with which the level is played if it names mods, else nullptr: then that of
+    /// the context. Throws InputError if the level cannot be read or built. `stated` is the level if it was
+    /// not read from the file; nullptr: it is read.
     PlayParts(UiContext& uiContext, std::filesystem::path levelFile,
               std::shared_ptr<GameData const> levelData, WorldOptions const& options,
               LevelFile const* stated = nullptr);
@@ -56,7 +56,7 @@ struct PlayParts {
 
     UiContext& context;
     std::filesystem::path const file;
-    std::string const id;                       ///< by which what the player builds and saves is kept
+    std::string const id;                       ///< under which builds and solutions are kept
     bool const ofGallery;                       ///< a demonstration: its goals are a task
     std::shared_ptr<GameData const> const data; ///< nullptr: the level names no mods
     std::optional<PartCatalog> modParts;        ///< the parts of `data`
@@ -80,14 +80,14 @@ struct PlayParts {
     std::shared_ptr<WhatIfView> const whatIf;     ///< never null
     std::shared_ptr<WhatIfTool> const whatIfTool; ///< never null
     std::vector<int> goalCounts; ///< how often each goal needs something, see goal_counts.hpp
-    LevelText said;              ///< what the level says
+    LevelText said;              ///< the level's texts
     WhyPanel why;
     LevelAudio audio;
     TouchSounds touches;
     RunControl run;
     Celebration celebration;
     Lesson lesson;
-    BuildKeeper keeper; ///< what the player has placed, for the next time
+    BuildKeeper keeper; ///< the parts that the player has placed, for the next time
     Film film;
     LoadableSolutions loadableSolutions;
     KeyPointer keyPointer;
@@ -101,21 +101,21 @@ struct PlayParts {
     Shown shown;
     std::size_t hintsShown = 0;
     Pointer pointer;                      ///< of this picture
-    std::optional<ScreenRequest> request; ///< what this picture asks of the program
+    std::optional<ScreenRequest> request; ///< the request of this picture to the program
 
     [[nodiscard]] render::Camera const& camera() const { return view.camera(); }
     /// Which buttons of a gamepad are meant.
     [[nodiscard]] PadPhase phase() const;
     [[nodiscard]] bool hasMods() const { return liveMods != nullptr; }
-    /// Writes what was placed, if it is due; reports to the player if it cannot be written.
+    /// Writes the placed parts, if that is due; reports to the player if it cannot be written.
     void keepBuild(double seconds);
     [[nodiscard]] PartCatalog& catalog() { return modParts ? *modParts : context.catalog; }
-    /// Looks at what scripts say and whether their files were saved, and reports it to the player; `seconds`
-    /// have passed. Between frames.
+    /// Reports messages of scripts and saved script files to the player; `seconds` have passed. Between
+    /// frames.
     void passMods(double seconds);
-    /// To be called when the session has another world: forgets what was remembered of the old one.
+    /// To be called when the session has another world: forgets all state of the old one.
     void newWorld();
-    /// Ends the run and places a solution; the next run does what it did. Throws InputError if it does not
+    /// Ends the run and places a solution; the next run repeats its inputs. Throws InputError if it does not
     /// fit; then nothing is placed otherwise.
     void load(Solution const& solution);
     /// Everything as it was when the level was opened: parts in the toolbox, the world at rest.
@@ -143,7 +143,7 @@ struct PlayParts {
 private:
     [[nodiscard]] RunEvents runEvents();
     void stepped();
-    /// Tells the player of bodies in one place that make each frame long, before the first frame.
+    /// Warns the player, before the first frame, of bodies in one place that make each frame long.
     void tellOfCrowd();
     void solvedLevel(std::string const& id);
     bool reportedAltered_ = false; // whether the player knows that the reached goals of this run do not count

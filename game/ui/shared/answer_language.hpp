@@ -2,7 +2,7 @@
 #pragma once
 
 #include "game/ui/shared/catalogue_in_use.hpp"
-#include "insight/why/clauses.hpp"
+#include "insight/why/words/clauses.hpp"
 
 namespace trembler::ui {
 

@@ -31,13 +31,13 @@ public:
     [[nodiscard]] double scaleBetweenMargins() const;
     /// Shows the whole subject between the margins, or as preferred.
     void fit();
-    /// Keeps what is shown when the window or the subject changes, as if the player had moved the view.
+    /// Keeps the view when the window or the subject changes, as if the player had moved the view.
     void stay() { moved_ = true; }
     void zoom(render::Point at, double notches);
     /// Moves the view by shares of the window: {0.1, 0} looks a tenth of its width further to the right, y is
     /// up.
     void look(render::Point shares);
-    /// The middle of what the margins leave, pixels.
+    /// The middle of the window inside the margins, pixels.
     [[nodiscard]] render::Point middle() const;
     void startPan() { panning_ = true; }
     void stopPan() { panning_ = false; }

@@ -92,7 +92,7 @@ int Focus::nearest(int x, int y, bool within) const {
     float least = 0;
     for (int i = 0; i < static_cast<int>(lastAreas_.size()); ++i) {
         Area const& there = lastAreas_[static_cast<std::size_t>(i)];
-        // What a list has scrolled out of sight lies behind items elsewhere.
+        // Items that a list has scrolled out of sight lie behind items elsewhere.
         if (there.list != here.list && (within || !there.seen)) {
             continue;
         }
@@ -100,7 +100,7 @@ int Focus::nearest(int x, int y, bool within) const {
                             dy * (there.low.y + there.high.y - here.low.y - here.high.y) / 2;
         float const across = x != 0 ? gap(here.low.y, here.high.y, there.low.y, there.high.y)
                                     : gap(here.low.x, here.high.x, there.low.x, there.high.x);
-        // Sideways only within the same row; up and down also to what lies beside.
+        // Sideways only within the same row; up and down also to items beside the column.
         if (i == index_ || ahead <= 1 || (x != 0 && across > 0)) {
             continue;
         }

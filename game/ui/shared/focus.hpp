@@ -17,8 +17,8 @@ namespace trembler::ui {
 /// on to the next, and Tab goes through all items in order. Window thread only.
 class Focus {
 public:
-    /// Call once per picture, whatever is shown: a page that was not drawn in the last picture starts again
-    /// at its first item.
+    /// Call once in every picture, even if no page is shown: a page that was not drawn in the last picture
+    /// starts again at its first item.
     void beginFrame();
     /// Call once per picture, before the first item of a page. The ring of a new page begins at its first
     /// item. `events` may be empty while keys have another meaning.

@@ -1,4 +1,4 @@
-// Widgets for the parameters of scripts, made from what the scripts state of them.
+// Widgets for the parameters of scripts, made from the scripts' statements about them.
 #pragma once
 
 #include "game/ui/shared/layout.hpp"

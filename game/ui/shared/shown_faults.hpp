@@ -8,7 +8,7 @@
 
 namespace trembler::ui {
 
-/// The message with what was expected, without the place.
+/// The message and the expected value, without the place.
 [[nodiscard]] std::string shownMessage(Diagnostic const& fault);
 /// With the place, as Diagnostic::print().
 [[nodiscard]] std::string shownFault(Diagnostic const& fault);

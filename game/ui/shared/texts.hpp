@@ -24,9 +24,9 @@ struct Language {
 /// That of the desktop, from LC_ALL, LC_MESSAGES or LANG; English if the program does not speak it.
 [[nodiscard]] std::string_view languageOfDesktop();
 
-/// Reads the texts of a language; "" or one that the program does not speak: that of the desktop. What has no
-/// text there, or if the file is damaged, is shown in English. Window thread only; ends the validity of all
-/// texts that text() has returned.
+/// Reads the texts of a language; "" or one that the program does not speak: that of the desktop. Texts that
+/// are missing there, or all if the file is damaged, are shown in English. Window thread only; ends the
+/// validity of all texts that text() has returned.
 void useLanguage(std::string_view id);
 /// The id of the language in use.
 [[nodiscard]] std::string_view languageInUse();
@@ -48,8 +48,8 @@ template <class... Arguments>
     }
 }
 
-/// What a part of the program without a window says in English, such as a reason with the names of objects:
-/// Catalogue::translated() of the language in use.
+/// The translation of an English message from a part of the program without a window, such as a reason with
+/// the names of objects: Catalogue::translated() of the language in use.
 [[nodiscard]] std::string translated(std::string const& english);
 /// The name of an object: "linke Lampe".
 [[nodiscard]] std::string shownName(std::string const& object);

@@ -1,4 +1,4 @@
-// Fits a scene into what cards leave free of a window, so that it is as large as possible.
+// Fits a scene into the part of a window that cards leave free, so that it is as large as possible.
 #pragma once
 
 #include "game/ui/shared/layout.hpp"

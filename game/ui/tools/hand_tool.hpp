@@ -26,7 +26,7 @@ public:
     /// Sends the hand's inputs since the last frame to the session; call it directly before each
     /// Session::step.
     void beforeStep();
-    /// Lets go of what it holds.
+    /// Releases the object that it holds.
     void letGo();
     /// The run is over: nothing is held any more.
     void reset();
@@ -55,7 +55,7 @@ private:
     void cut(Pointer const& pointer);
     void grab(Press const& press);
     [[nodiscard]] bool movable(ObjectId object) const;
-    /// The world's hands have no strength: in such a level only what was placed acts.
+    /// The world's hands have no strength: in such a level only placed parts act.
     [[nodiscard]] bool handless() const;
 
     Session& session_;

@@ -116,8 +116,8 @@ void PlacingTool::follow(Pointer const& pointer) {
 
 void PlacingTool::drop(bool dragged) {
     if (!carried_->verdict.ok) {
-        // A part that was dragged goes back to where it came from. One that follows the mouse without a
-        // button stays in the hand, which shows the reason.
+        // A dragged part returns to its former place. One that follows the mouse without a button stays in
+        // the hand, which shows the reason.
         if (dragged) {
             toasts_.add(translated(carried_->verdict.why), render::ToastKind::Trouble, 2.5);
             carried_.reset();

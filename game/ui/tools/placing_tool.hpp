@@ -18,7 +18,7 @@ inline constexpr double fineTurnStep = pi / 180;
 /// A part that is being placed.
 struct Carried {
     std::optional<int> number; ///< of the placed part that was picked up; nullopt: new from the toolbox
-    Placement landing;         ///< where it goes if it is released now
+    Placement landing;         ///< its place if it is released now
     Verdict verdict;           ///< whether that place is allowed
     Vec2 grip;                 ///< m, from the mouse to the part's origin
     render::Point takenAt;     ///< pixels

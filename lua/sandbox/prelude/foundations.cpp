@@ -1,4 +1,4 @@
-// What the other parts of the prelude use: Lua's own functions under short names, read-only tables, and
+// The basis of the other parts of the prelude: Lua's own functions under short names, read-only tables, and
 // checks of arguments.
 #include "lua/sandbox/prelude/parts.hpp"
 

@@ -1,4 +1,4 @@
-// The globals of a script, and what the chunk returns to the host.
+// The globals of a script, and the values that the chunk returns to the host.
 #include "lua/sandbox/prelude/parts.hpp"
 
 namespace trembler::lua {

@@ -9,8 +9,8 @@
 
 namespace trembler::lua {
 
-// None of these has an object with a destructor on its stack when it calls what may raise an error, but for
-// short strings, which Lua's errors unwind on the platforms that it is built for.
+// None of these has an object with a destructor on its stack when it calls a function that may raise an
+// error, but for short strings, which Lua's errors unwind on the platforms that it is built for.
 struct Sandbox::Functions {
     // The fields of the table `host`, the argument of the prelude.
     static luaL_Reg const all[];

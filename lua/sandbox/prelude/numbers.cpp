@@ -1,4 +1,4 @@
-// Numbers: the library math; and interaction(), by which a script states what it is.
+// Numbers: the library math; and interaction(), by which a script states its manifest.
 #include "lua/sandbox/prelude/parts.hpp"
 
 namespace trembler::lua {

@@ -7,10 +7,10 @@
 
 namespace trembler::lua {
 
-// What is written in Lua is counted in instructions like the script itself, so none of it needs a bound of
-// its own. What is Lua's own and takes longer the longer its arguments are is charged for (host.charge).
-// Scripts reach none of the tables in here: libraries are handed out behind read-only tables, so nothing that
-// a script does to them can last to its next turn.
+// The functions written in Lua are counted in instructions like the script itself, so none needs a bound of
+// its own. Lua's own functions whose time grows with their arguments are charged for (host.charge). Scripts
+// reach none of the tables in here: libraries are handed out behind read-only tables, so nothing that a
+// script does to them can last to its next turn.
 std::string_view preludeText() {
     static std::string const text = [] {
         std::string joined;

@@ -1,4 +1,4 @@
-// Vectors: vec2() and what can be done with them.
+// Vectors: vec2(), their operators and functions.
 #include "lua/sandbox/prelude/parts.hpp"
 
 namespace trembler::lua {

@@ -11,8 +11,7 @@
 
 namespace trembler::lua {
 
-/// Collects the assignments of a text while it is walked through. Whatever is not certain is taken for an
-/// assignment.
+/// Collects the assignments of a text while it is walked through. Uncertain statements count as assignments.
 class Assignments {
 public:
     /// The tokens must outlive it.

@@ -16,8 +16,8 @@ struct SourceFault {
 };
 
 /// Refuses text that is too long, compiled code, string literals that are too long, what tokenFault()
-/// refuses, and the operator ^, whose
-/// results differ between compiled and interpreted code. Whether the text is Lua otherwise is not judged.
+/// refuses, and the operator ^, whose results differ between compiled and interpreted code. Does not check
+/// whether the text is otherwise Lua.
 [[nodiscard]] std::optional<SourceFault> faultInSource(std::string_view text);
 
 /// Every name and every string literal in the text. A script can reach a field by one of them, or by a name

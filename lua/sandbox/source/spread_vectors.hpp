@@ -29,7 +29,7 @@ struct TextEdit {
 /// The changes that make `out.addForce(object, vec2(x, y))` into `__numbers.addForce(object, (x), (y))`, by
 /// ascending position: no table is made then, which takes longer than all else that most scripts do. `out` is
 /// the name of that parameter; the functions of CountedSource::numbersName take two values for each vector,
-/// and say of others than numbers what is wrong with the vector. Only where the text shows that `out` and
+/// and report values other than numbers as errors of the vector. Only where the text shows that `out` and
 /// `vec2` are the host's, and that all vectors of the call stand in it like that. An error is found when all
 /// arguments are evaluated, and not between them. No change crosses a line.
 [[nodiscard]] std::vector<TextEdit> spreadVectors(Tokens const& tokens, std::string_view out,

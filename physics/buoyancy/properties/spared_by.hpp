@@ -8,8 +8,8 @@
 
 namespace trembler {
 
-/// No level states it: an object that a liquid spares is nothing that there could be. It exists in runs that
-/// are compared with the real one, to tell whether a dip was necessary for what followed.
+/// No level states it, as it has no physical meaning. It exists only in runs that are compared with the real
+/// one, to find out whether the later events depend on a dip.
 struct SparedBy {
     static constexpr PropertyKind kind = PropertyKind::object;
     static constexpr PropertyText text{

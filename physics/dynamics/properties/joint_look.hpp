@@ -8,7 +8,7 @@
 
 namespace trembler {
 
-/// All but `own` and `none` are for what runs between two places: distances, ropes, springs and pulleys; belt
+/// All but `own` and `none` are for joints between two places: distances, ropes, springs and pulleys; belt
 /// and chain for gears, too, as a loop around both wheels. Other joints are drawn by their form, or not.
 enum class JointDrawn : int { own, none, rope, cord, chain, belt, rod, spring, wire };
 template <>

@@ -27,8 +27,9 @@ void ElectricityResolver::induceVoltages(Access& access) {
     }
 }
 
-// What is held is counted once, from the advance in which it is first held on. A connection that ended with
-// an object, a fuse or a caller has no count left that could be taken back, and taking from zero leaves zero.
+// A held connection is counted once, from the advance in which it is first held on. A connection that ended
+// with an object, a fuse or a caller has no count left that could be taken back, and taking from zero leaves
+// zero.
 void ElectricityResolver::followHeld(Access& access) {
     std::vector<HeldConnections::Held> now;
     access.forCalls<HoldConnection>([&](HoldConnection const& call, CallOrigin const& origin) {

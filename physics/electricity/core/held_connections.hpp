@@ -10,8 +10,8 @@
 
 namespace trembler {
 
-/// A held call stands in every turn; a counted set is changed by differences. This remembers which held
-/// connections have been counted and finds the differences. Not thread-safe.
+/// A held call is received in every turn, but a counted set is changed by differences. This remembers which
+/// held connections have been counted and finds the differences. Not thread-safe.
 class HeldConnections {
 public:
     struct Held {
@@ -27,7 +27,7 @@ public:
     };
 
     /// The connections that are held now, in any order; the same one may occur several times. Returns the
-    /// differences from the last turn, in an order that depends on nothing but what is held.
+    /// differences from the last turn, in an order that depends on the held connections only.
     [[nodiscard]] std::vector<Difference> replace(std::vector<Held> now);
     [[nodiscard]] bool empty() const { return held_.empty(); }
     /// Adds nothing to the hash while nothing is held.

@@ -38,7 +38,7 @@ struct Emf {
                                        "The voltage with which an electrical source drives a current."};
     double voltage = 0;
     double internalResistance = 0;
-    double induced = 0; ///< V, what AddVoltage adds to it at present
+    double induced = 0; ///< V, the sum of all AddVoltage calls at present
 
     template <class Self, class Visitor>
     static void describe(Self& self, Visitor&& visit) {

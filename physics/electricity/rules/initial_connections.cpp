@@ -2,7 +2,6 @@
 
 #include "physics/electricity/properties/graph.hpp"
 #include "physics/electricity/rules/completion.hpp"
-#include "physics/electricity/rules/wire.hpp"
 #include "runtime/property/for_each.hpp"
 
 namespace trembler {
@@ -31,14 +30,6 @@ void layWire(Store& store, ObjectId a, ObjectId b) {
     CallerCounts counts = connectionBetween(graph, a, b);
     counts.add(CallerId::level(), 1);
     setConnection(graph, a, b, counts);
-}
-
-std::optional<std::string> connectInitially(Store& store, ObjectId a, ObjectId b) {
-    if (auto wrong = refuseWire(store, a, b)) {
-        return wrong;
-    }
-    layWire(store, a, b);
-    return std::nullopt;
 }
 
 } // namespace trembler

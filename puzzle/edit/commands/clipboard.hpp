@@ -18,10 +18,10 @@ namespace trembler::edit {
                                      std::vector<std::string> const& names);
 /// Whether a text from the clipboard can be pasted.
 [[nodiscard]] bool canPaste(std::string const& text);
-/// Adds what copiedText() made, from this level or another. Names that are taken get a number, and references
-/// among the objects follow. The middle of the objects' centres comes to `at`; without it, they come where
-/// they were copied from, or 0.2 m to the right and below if an object already lies there. Throws
-/// CommandError for text that was not copied from a level.
+/// Adds the objects of a text that copiedText() made, from this level or another. Names that are taken get a
+/// number, and references among the objects follow. The middle of the objects' centres comes to `at`; without
+/// it, they come where they were copied from, or 0.2 m to the right and below if an object already lies
+/// there. Throws CommandError for text that was not copied from a level.
 [[nodiscard]] Command pasteText(GameData const& data, Json const& level, std::string const& text,
                                 std::optional<Vec2> at = {});
 /// Removes the objects, under the name "Cut ...". The caller has put copiedText() onto the clipboard.

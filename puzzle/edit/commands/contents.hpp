@@ -1,4 +1,4 @@
-// Commands on what a level has beside its objects: texts, hints, toolbox, areas for placing, mods.
+// Commands on a level's contents other than objects: texts, hints, toolbox, areas for placing, mods.
 #pragma once
 
 #include "puzzle/edit/document/command.hpp"
@@ -32,8 +32,8 @@ namespace trembler::edit {
 /// How many wires the player may lay; 0: none. Not by setToolCount(): they are no part.
 [[nodiscard]] Command setWires(Json const& level, int count); ///< 0 to 1000
 
-/// A step of what a beginner is shown, of a kind of files: "place", "wire", "run", "grab", "cut". Parts and
-/// objects that it needs are the first of `names`; nullopt if there are not enough.
+/// A new step of a beginner's first lesson, of one of the kinds of files: "place", "wire", "run", "grab",
+/// "cut". Parts and objects that it needs are the first of `names`; nullopt if there are not enough.
 [[nodiscard]] std::optional<Json> newStep(std::string const& kind, std::vector<std::string> const& names,
                                           Vec2 at);
 [[nodiscard]] Command addStep(Json const& level, Json const& step);

@@ -27,7 +27,7 @@ bool isListed(Json const& level, char const* key, std::string const& name) {
     return list != nullptr && namesContain(*list, name);
 }
 
-/// Removes names that no object has, groups of fewer than two, and what is empty.
+/// Removes names that no object has, groups of fewer than two, and empty lists.
 void tidyState(Json& level) {
     auto const at = level.find(editorKey);
     if (at == level.end() || !at->is_object()) {

@@ -15,7 +15,7 @@ namespace trembler::edit {
 [[nodiscard]] bool isHidden(Json const& level, std::string const& name);
 /// The members of the object's group, itself included, in the order of the file; only itself without a group.
 [[nodiscard]] std::vector<std::string> groupOf(Json const& level, std::string const& name);
-/// The objects and all members of their groups, each once: what a click selects.
+/// The objects and all members of their groups, each once: the objects that a click selects.
 [[nodiscard]] std::vector<std::string> withGroups(Json const& level, std::vector<std::string> const& names);
 /// The objects without the locked ones.
 [[nodiscard]] std::vector<std::string> unlocked(Json const& level, std::vector<std::string> const& names);

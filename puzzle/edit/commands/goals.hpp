@@ -11,14 +11,14 @@
 
 namespace trembler::edit {
 
-/// A demonstration has two trees: what it reaches by itself, and the task of its player.
+/// A demonstration has two trees: the goals that it reaches by itself, and the task of its player.
 enum class GoalTree : std::uint8_t { goals, task };
 /// "goals" or "task", the tree's key in files.
 [[nodiscard]] char const* keyOf(GoalTree tree);
 
 // A condition's place is a JSON pointer below "goals", or "task": "" for the whole goal, "/all/0", "/not",
 // "/any/1/count/that". A place where there is no condition throws CommandError. The conditions' own contents
-// are not checked here: what is wrong with them is a problem, see puzzle/edit/problems/.
+// are not checked here: their faults are problems, see puzzle/edit/problems/.
 
 /// One condition of the tree, for a list of lines.
 struct GoalLine {

@@ -99,7 +99,7 @@ void removeEntries(GameData const& data, Json& level, std::vector<std::string> c
     NameSet gone = setOf(names);
     ReferenceOwners const owners(data, level); // of the level with the objects that go
     removeFrom(level, "objects", [&](Json const& entry) { return gone.contains(textOf(entry, "name")); });
-    // A gear refers to joints: what refers to a removed joint goes as well.
+    // A gear refers to joints: joints that refer to a removed joint are removed as well.
     for (std::size_t before = 0; before != gone.size();) {
         before = gone.size();
         removeFrom(level, "joints", [&](Json& joint) {

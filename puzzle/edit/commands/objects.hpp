@@ -30,8 +30,8 @@ struct NewObject {
 
 /// Adds an object at the end of "objects".
 [[nodiscard]] Command addObject(Json const& level, NewObject const& object);
-/// Removes objects, with the joints and connections that refer to them or to pieces of them, and with what
-/// the editor keeps about them. Goals and recorded solutions that refer to them stay as they are, and become
+/// Removes objects, with the joints and connections that refer to them or to pieces of them, and with the
+/// editor's own data about them. Goals and recorded solutions that refer to them stay as they are, and become
 /// problems: only the author knows what they should say now. Locked objects stay; throws CommandError if all
 /// are locked, or one does not exist.
 [[nodiscard]] Command removeObjects(GameData const& data, Json const& level,
@@ -48,7 +48,7 @@ struct NewObject {
 /// The same for the joint with that index in "joints", which may have had no name.
 [[nodiscard]] Command renameJoint(GameData const& data, Json const& level, std::size_t joint,
                                   std::string const& to);
-/// Makes objects from another part, or from none (empty). What they state themselves stays.
+/// Makes objects from another part, or from none (empty). Their own statements stay.
 [[nodiscard]] Command setPart(Json const& level, std::vector<std::string> const& names,
                               std::string const& part);
 /// Whether objects are mirrored about their own vertical axes, before they are turned.

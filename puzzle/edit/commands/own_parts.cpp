@@ -103,7 +103,7 @@ Command replaceByPart(GameData const& data, Json const& level, std::vector<std::
     bool const ofPieces = names.size() > 1 || isComposite(data, *findObject(level, main));
     return {fmt::format("Replace {} by {}", objectsInWords(names), part),
             [&data, names, main, part, ofPieces](Json& tree) {
-                // What holds only among the objects is in the part now.
+                // Joints and connections among these objects only are in the part now.
                 Json const inside = subsetOf(data, tree, names);
                 for (char const* const key : {"joints", "connections"}) {
                     if (!inside.contains(key)) {

@@ -13,7 +13,7 @@ namespace trembler::edit {
 struct PartNames {
     std::string name;  ///< by which levels refer to it
     std::string title; ///< for players; empty: the name
-    std::string text;  ///< what it does; may be empty
+    std::string text;  ///< its description for players; may be empty
 };
 
 /// The part definition made from objects of a level. Of one object, a simple one ("properties"); of several,

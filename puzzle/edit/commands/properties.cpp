@@ -44,8 +44,8 @@ void mustHavePiece(GameData const& data, Json const& level, Names const& names, 
     }
 }
 
-/// Changes what each object, or a piece of each, has of a property. `change` gets null if it does not have
-/// it.
+/// Changes the value that each object, or a piece of each, has of a property. `change` gets null if it does
+/// not have it.
 template <class Change>
 Command changeProperty(GameData const& data, Json const& level, Names const& names,
                        std::string const& property, std::string const& piece, char const* what,

@@ -30,7 +30,7 @@ namespace trembler::edit {
 [[nodiscard]] Command addProperty(GameData const& data, Json const& level,
                                   std::vector<std::string> const& names, std::string const& property,
                                   std::string const& piece = {});
-/// Removes what the objects themselves state, so that the part's value is back.
+/// Removes the objects' own statements, so that the part's value applies again.
 [[nodiscard]] Command resetProperty(GameData const& data, Json const& level,
                                     std::vector<std::string> const& names, std::string const& property,
                                     std::string const& piece = {});

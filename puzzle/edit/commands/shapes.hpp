@@ -8,7 +8,7 @@
 
 namespace trembler::edit {
 
-/// A shape with its place: what addObject() needs of a drawing.
+/// A shape with its place, as addObject() needs them.
 struct DrawnShape {
     Vec2 at;                 ///< m: the object's centre
     double angleDegrees = 0; ///< the object's angle

@@ -1,4 +1,4 @@
-// Commands on "texts": what a level says in other languages.
+// Commands on "texts": a level's texts in other languages.
 #pragma once
 
 #include "puzzle/edit/document/command.hpp"
@@ -9,7 +9,7 @@
 
 namespace trembler::edit {
 
-/// A text of the level beside what it is in another language.
+/// A text of the level beside its translation into another language.
 struct TranslatedText {
     enum class Of { title, text, hint, goal } of = Of::title;
     std::size_t index = 0;   ///< of a hint

@@ -16,7 +16,7 @@ namespace trembler::edit {
 using Json = nlohmann::ordered_json;
 
 /// Thrown by the functions that make commands and by LevelDocument::run(), with a message for the author of
-/// the level: what cannot be done, and why. The document is then as it was.
+/// the level: the impossible change, and the reason. The document is then as it was.
 class CommandError : public std::runtime_error {
 public:
     using std::runtime_error::runtime_error;

@@ -234,14 +234,6 @@ void LevelDocument::changeTree(Command const& command) {
     checkSize(tree_, 1, values);
 }
 
-std::vector<std::string> LevelDocument::history() const {
-    std::vector<std::string> names;
-    for (Step const& step : steps_) {
-        names.push_back(step.name);
-    }
-    return names;
-}
-
 std::string LevelDocument::undoName() const {
     return canUndo() ? steps_[done_ - 1].name : std::string();
 }

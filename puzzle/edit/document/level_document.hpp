@@ -31,9 +31,9 @@ struct SaveResult {
     [[nodiscard]] bool ok() const { return kind == Kind::saved; }
 };
 
-/// The document is the file as its author wrote it: a tree that keeps the order of all entries. Only what
-/// commands change differs in the text that is saved; all else keeps its spelling and its line breaks. Not
-/// thread-safe.
+/// The document is the file as its author wrote it: a tree that keeps the order of all entries. Only entries
+/// that commands change differ in the text that is saved; all else keeps its spelling and its line breaks.
+/// Not thread-safe.
 class LevelDocument {
 public:
     enum class Overwrite { no, yes };
@@ -42,8 +42,8 @@ public:
     [[nodiscard]] static LevelDocument blank(GameData const& data);
     /// Opens a level file. Throws InputError if it cannot be read at all: it does not exist, is a folder, is
     /// too large, or may not be read. A file that is no JSON, has errors, or was made by a newer version of
-    /// the program opens read-only; faults() is the list of what is wrong. A file of an older version is
-    /// converted; it is saved in the present version.
+    /// the program opens read-only; faults() lists its errors. A file of an older version is converted; it is
+    /// saved in the present version.
     [[nodiscard]] static LevelDocument open(GameData const& data, std::filesystem::path const& path);
     /// A document with this text, as if it had been edited: for recovery. `path` is the file to which it will
     /// be saved, empty if it has none; `onDisk` is that file's text when it was opened last. Throws
@@ -53,7 +53,7 @@ public:
                                                 std::optional<std::string> onDisk);
 
     [[nodiscard]] GameData const& data() const { return *data_; }
-    /// From now on it is read with these; they must outlive the document.
+    /// Reads the document with these data from now on; they must outlive it.
     void setData(GameData const& data) { data_ = &data; }
     /// The level; null if the file is no JSON.
     [[nodiscard]] Json const& tree() const { return tree_; }
@@ -71,23 +71,23 @@ public:
     /// The problems of the file when it was opened.
     [[nodiscard]] std::vector<Diagnostic> const& faults() const { return faults_; }
     /// Whether the author may decide to edit it nevertheless: the file is a JSON object of a version that
-    /// this program knows. Editing keeps what it does not understand.
+    /// this program knows. Editing keeps entries that the program does not understand.
     [[nodiscard]] bool mayBeEdited() const;
     /// Ends read-only. Throws CommandError unless mayBeEdited().
     void editNevertheless();
 
     // Changing.
 
-    /// Runs a command and adds it to the history; redo is gone then. A command that changes nothing adds no
-    /// step. With a gesture, it becomes one step with the previous command if that has the same gesture.
-    /// Throws CommandError, with the document as it was, if it is read-only, or the command cannot be run.
+    /// Runs a command and adds it to the history; steps that were undone can then no longer be redone. A
+    /// command that changes nothing adds no step. With a gesture, it becomes one step with the previous
+    /// command if that has the same gesture. Throws CommandError, with the document as it was, if it is
+    /// read-only, or the command cannot be run.
     void run(Command const& command, std::optional<Gesture> gesture = {});
     /// A number that no other gesture of this document has.
     [[nodiscard]] std::uint64_t newGesture() { return ++lastGesture_; }
     [[nodiscard]] bool canUndo() const { return done_ > 0; }
     [[nodiscard]] bool canRedo() const { return done_ < steps_.size(); }
-    /// The names of all steps, the oldest first, also of steps that were undone; the first done() are done.
-    [[nodiscard]] std::vector<std::string> history() const;
+    /// The number of steps that are done, without those that were undone.
     [[nodiscard]] std::size_t done() const { return done_; }
     /// The name of the step that undo() or redo() is about; empty if there is none.
     [[nodiscard]] std::string undoName() const;
@@ -99,8 +99,8 @@ public:
     void goTo(std::size_t count);
     /// Differs after every change of the tree, undo and redo included. For caches.
     [[nodiscard]] std::uint64_t revision() const { return revision_; }
-    /// Whether the tree differs from what was opened or saved last, as the history knows it: undoing to the
-    /// state that was saved makes it false.
+    /// Whether the tree differs from the one that was opened or saved last, according to the history: undoing
+    /// to the state that was saved makes it false.
     [[nodiscard]] bool modified() const { return state() != savedState_; }
 
     // Reading it as a level.
@@ -121,8 +121,6 @@ public:
     /// Saves to another file, which becomes the document's. Makes no folders. A read-only document may be
     /// saved elsewhere: its text is copied.
     [[nodiscard]] SaveResult saveAs(std::filesystem::path const& path, Overwrite overwrite = Overwrite::no);
-    /// Whether another program changed or removed the file since it was opened or saved last. Reads the file.
-    [[nodiscard]] bool changedOnDisk() const;
     /// The text of the file when it was opened or saved last; nothing for a new level.
     [[nodiscard]] std::optional<std::string> const& onDisk() const { return onDisk_; }
 

@@ -65,19 +65,8 @@ SaveResult LevelDocument::write(fs::path const& path, Overwrite overwrite) {
     }
     onDisk_ = text();
     savedState_ = state();
-    gestureOpen_ = false; // what follows is another step than what was saved
+    gestureOpen_ = false; // the next command is a step of its own, not a part of the saved one
     return {};
-}
-
-bool LevelDocument::changedOnDisk() const {
-    if (path_.empty() || !onDisk_) {
-        return false;
-    }
-    try {
-        return presentText(path_) != onDisk_;
-    } catch (InputError const&) {
-        return true;
-    }
 }
 
 } // namespace trembler::edit

@@ -16,7 +16,7 @@ public:
     TreePatch() = default;
     /// The changes that lead from one tree to the other. Takes time in proportion to the trees, memory to the
     /// difference. Numbers that are equal and only spelt in another way, as 1 and 1.0, are no difference:
-    /// `after` gets those of `before`, so that it is exactly what apply() makes.
+    /// `after` gets those of `before`, so that it is exactly the result of apply().
     [[nodiscard]] static TreePatch between(Json const& before, Json& after);
 
     [[nodiscard]] bool empty() const { return changes_.empty(); }

@@ -48,7 +48,7 @@ struct NamesToChoose {
     }
 };
 
-/// Lists every field that it visits, with what the file states about it.
+/// Lists every field that it visits, with the file's statement about it.
 class FieldLister final : public FieldVisitor {
 public:
     FieldLister(NamesToChoose const& choices, NameTable const& names, Json const* stated, std::string around,
@@ -145,7 +145,8 @@ private:
     FieldInfo const* listInfo_ = nullptr;
 };
 
-/// Fills in what the fields are without being stated. Entries of lists are matched by their place.
+/// Fills in the values that the fields have if they are not stated. Entries of lists are matched by their
+/// place.
 void addInitials(std::vector<InspectedField>& fields, std::vector<InspectedField> const& initial) {
     for (InspectedField& field : fields) {
         for (InspectedField const& other : initial) {

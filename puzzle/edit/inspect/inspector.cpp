@@ -35,7 +35,7 @@ std::vector<PropertyInfo const*> propertiesAt(GameData const& data, PropertyPlac
     return infos;
 }
 
-/// Marks what differs between a property of the first object and the same of another one.
+/// Marks the fields of a property in which the first object and another one differ.
 void mergeFields(std::vector<InspectedField>& fields, std::vector<InspectedField> const& others) {
     for (InspectedField& field : fields) {
         auto const other = std::find_if(others.begin(), others.end(),
@@ -68,7 +68,7 @@ ValueOrigin originOf(Json const* own, bool fromPart, bool has) {
     return fromPart ? ValueOrigin::changed : ValueOrigin::own;
 }
 
-/// What has properties: objects, or a piece of each.
+/// The owners of the shown properties: objects, or a piece of each.
 struct Owners {
     std::vector<Json const*> entries;
     std::string piece; ///< empty: the objects

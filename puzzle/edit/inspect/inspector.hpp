@@ -35,7 +35,7 @@ struct InspectedField {
     bool stated = false;   ///< the file states it; else `value` is the initial one
     bool mixed = false;    ///< the objects' values differ; `value` is then the first one's
     Json value{};
-    Json initial{}; ///< what it is without being stated; null if required
+    Json initial{}; ///< its value if it is not stated; null if required
     /// Of a list: the entries, each as a field whose own `entries` are the fields of the entry; a list of
     /// bare values has one field per value. Empty if the lists of several objects differ in length.
     std::vector<InspectedField> entries{};

@@ -38,7 +38,7 @@ std::string_view takeToken(std::string_view& pointer) {
     return token;
 }
 
-/// What a token of a JSON pointer stands for.
+/// The characters that a token of a JSON pointer represents.
 std::string unescaped(std::string_view token) {
     return token.empty() ? std::string() : Json::json_pointer("/" + std::string(token)).back();
 }

@@ -32,7 +32,8 @@ public:
     /// `seconds` have passed. Writes the file if the document has changed and the interval is over; removes
     /// it if the document is as it was saved. Never throws: see error().
     void tick(LevelDocument const& document, double seconds);
-    /// Writes at once what has changed, whatever the interval: before something risky, such as a test play.
+    /// Writes at once if anything has changed, without regard to the interval: before something risky, such
+    /// as a test play.
     void flush(LevelDocument const& document);
     /// Removes the file: the author saved, or does not want the changes.
     void close();
@@ -74,7 +75,7 @@ struct Recovery {
 /// The newest one of a level; of new levels, if `level` is empty.
 [[nodiscard]] std::optional<Recovery> findRecovery(std::filesystem::path const& folder,
                                                    std::filesystem::path const& level);
-/// The recovered document, modified and writable, whatever problems it has. Throws InputError if its text is
+/// The recovered document, modified and writable, even if it has problems. Throws InputError if its text is
 /// not JSON. The recovery file stays until discard(); call it once the document's own Autosave has written.
 [[nodiscard]] LevelDocument recover(GameData const& data, Recovery const& recovery);
 /// Removes the file, with its lock.

@@ -15,9 +15,9 @@ inline constexpr std::size_t widestLine = 110;
 /// bytes that are not UTF-8 are replaced.
 [[nodiscard]] std::string inOneLine(nlohmann::ordered_json const& value);
 
-/// The text of a value: what fits into a line is put into one line; a longer list has one entry per line,
-/// indented by two more; the members of a longer object follow each other in lines, indented by one more.
-/// `indent` is that of the line in which it begins, `column` the length of that line before it.
+/// The text of a value: a value that fits into a line is put into one line; a longer list has one entry per
+/// line, indented by two more; the members of a longer object follow each other in lines, indented by one
+/// more. `indent` is that of the line in which it begins, `column` the length of that line before it.
 [[nodiscard]] std::string layOut(nlohmann::ordered_json const& value, std::size_t indent = 0,
                                  std::size_t column = 0);
 

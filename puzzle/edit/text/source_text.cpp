@@ -37,7 +37,7 @@ SourceText::SourceText(std::string text) : text_(std::move(text)) {
     root_ = read(at);
 }
 
-// The text is valid, so only what is needed to find the ends of values is looked at.
+// The text is valid, so only the characters needed to find the ends of values are examined.
 SourceText::Node SourceText::read(std::size_t& at) const {
     Node node;
     node.begin = node.key = node.lead = at;

@@ -10,7 +10,7 @@ namespace {
 
 using OrderedTree = nlohmann::ordered_json;
 
-/// What identifies an entry of a list although its contents change; empty: nothing.
+/// The text by which an entry of a list is recognised although its contents change; empty: there is none.
 std::string identityOf(OrderedTree const& entry) {
     if (entry.is_object()) {
         for (char const* const key : {"name", "part", "id"}) {

@@ -153,7 +153,7 @@ bool joinInto(Polygon& one, Polygon const& other) {
             for (std::size_t k = 1; k <= one.size(); ++k) { // from `to` round to `from`
                 joined.push_back(one[(i + k) % one.size()]);
             }
-            for (std::size_t k = 2; k < other.size(); ++k) { // what `other` has between them
+            for (std::size_t k = 2; k < other.size(); ++k) { // the corners of `other` between them
                 joined.push_back(other[(j + k) % other.size()]);
             }
             if (isConvex(joined)) {

@@ -18,7 +18,7 @@ namespace trembler::edit {
 [[nodiscard]] std::unique_ptr<PropertyValue> readValue(PropertyInfo const& info, Json const& json,
                                                        NameTable& names, std::string* why = nullptr);
 /// The statement of an object about a property, in its entry or under "properties"; nullptr if nothing. With
-/// a piece, what it states under "pieces" about that piece of a composite part.
+/// a piece, its statement under "pieces" about that piece of a composite part.
 [[nodiscard]] Json const* ownStatement(Json const& entry, PropertyInfo const& info,
                                        std::string const& piece = {});
 /// The value of the property that the object's part has, as a file would state it; null if it has no part, or
@@ -27,8 +27,8 @@ namespace trembler::edit {
 /// The value that holds for the object: its own statement, else its part's; null if it does not have the
 /// property.
 [[nodiscard]] Json effectiveStatement(GameData const& data, Json const& entry, PropertyInfo const& info);
-/// The same for objects made from any part: of a composite, what holds for that piece, or, if it is "", for
-/// the main one.
+/// The same for objects made from any part: of a composite, the statement that applies to that piece or, if
+/// it is "", to the main one.
 [[nodiscard]] Json effectiveStatement(PartStatements& parts, Json const& entry, PropertyInfo const& info,
                                       std::string const& piece);
 /// Whether `false` means that the object does not have the property: not for one that is a bare true or
@@ -37,8 +37,8 @@ namespace trembler::edit {
 /// The shape that an object will have; nothing if it has none, or none that can be read.
 [[nodiscard]] std::optional<Shape> shapeOf(GameData const& data, Json const& entry);
 
-/// Sets what an object, or its entry about a piece of it, states, where files state that property; null
-/// removes the statement.
+/// Sets the statement of an object, or of its entry about a piece of it, at the place where files state that
+/// property; null removes the statement.
 void setStatement(Json& entry, PropertyInfo const& info, Json value, std::string const& piece = {});
 /// The description of an object property. Throws CommandError if there is none of that key.
 [[nodiscard]] PropertyInfo const& propertyNamed(GameData const& data, std::string const& key);

@@ -107,7 +107,7 @@ Json PartStatements::of(std::string const& part, std::string const& piece, Prope
             composite->object(piece.empty() ? composite->main() : pieceNamed(part, piece));
         StatedProperties const* const place = made == nullptr ? nullptr : made->determining(info);
         PropertyInfo const* const basis = data_.registry.objectProperty(info.text.madeFor);
-        // What was made for another shape, as a drawing was, is not taken from further inside.
+        // A property that belongs to another shape, such as its drawing, is not taken from further inside.
         StatedProperties const* const other =
             place == nullptr || basis == nullptr ? nullptr : made->determining(*basis);
         bool const outdated = other != nullptr && other > place; // both are entries of one list

@@ -18,7 +18,7 @@ struct PartPiece {
     bool main = false; ///< the one that "properties" of an entry are about
 };
 
-/// Looks parts up, and keeps what composites consist of: make one for a question about many objects. Not
+/// Looks parts up, and keeps the pieces of composites: make one for a question about many objects. Not
 /// thread-safe.
 class PartStatements {
 public:

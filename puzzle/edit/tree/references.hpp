@@ -15,7 +15,7 @@ using NewNames = std::map<std::string, std::string>; // by the old ones
 /// Renames the references in entries of "joints", "connections" and "properties" of objects. `entries` is a
 /// level, or anything with these lists.
 void renameInEntries(GameData const& data, Json& entries, NewNames const& names);
-/// The same in goals, the inputs of solutions, and what the editor keeps.
+/// The same in goals, the inputs of solutions, and the editor's own data.
 void renameElsewhere(Json& level, NewNames const& names);
 
 /// Calls `visit` with each name of an object that a joint states.

@@ -201,8 +201,8 @@ void mirrorEntry(GameData const& data, Json& entry, bool atVertical) {
             setObjectMember(entry, "flipped", true);
         }
     }
-    // What is flipped is mirrored left to right before it is turned.
-    // Not brought into a range: to mirror twice gives the same number.
+    // A flipped object is mirrored left to right before it is turned. Not brought into a range, so that
+    // mirroring twice gives the same number.
     setAngle(entry, (atVertical ? 0 : 180) - angleOf(entry));
     if (atVertical) {
         return;

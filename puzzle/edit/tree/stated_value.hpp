@@ -10,7 +10,7 @@ namespace trembler::edit {
 
 /// The text that a property begins with: its initial values, and required fields that any reader accepts.
 [[nodiscard]] Json initialStatement(PropertyInfo const& info);
-/// Sets what is at a place of a value, a JSON pointer, making objects that are missing on the way; null
+/// Sets the member at a place of a value, a JSON pointer, and makes objects that are missing on the way; null
 /// removes a member. Throws CommandError for a place that there cannot be.
 void setAt(Json& value, std::string const& field, Json const& to);
 /// The value with one more entry, of initial values, in the list at that place. Throws CommandError if the

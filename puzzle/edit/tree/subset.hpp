@@ -1,4 +1,5 @@
-// Some objects of a level with what holds among them: what is copied, duplicated, and made into a part.
+// Some objects of a level with the joints and connections among them: to be copied, duplicated, or made into
+// a part.
 #pragma once
 
 #include "puzzle/data/game_data.hpp"

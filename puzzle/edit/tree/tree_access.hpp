@@ -1,4 +1,4 @@
-// Finding and changing places in the tree of a level. For commands: what is not as they need it throws
+// Finding and changing places in the tree of a level. For commands: any entry of an unexpected form throws
 // CommandError, whatever the file contains.
 #pragma once
 

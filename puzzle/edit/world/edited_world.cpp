@@ -38,7 +38,8 @@ std::size_t leaveOut(LevelFile& level, std::vector<Diagnostic> const& faults) {
 void EditedWorld::build(GameData const& data, LevelFile const& level, Json const& tree) {
     LevelFile reduced = level;
     displacement_.reset();
-    // What the world does not consist of: faults in it are none of the world.
+    // The sections of a level that do not become part of the world: faults in these do not prevent building
+    // it.
     reduced.solutions.clear();
     reduced.goals = nullptr;
     reduced.task = nullptr;

@@ -10,7 +10,7 @@
 namespace trembler::conditions {
 namespace {
 
-/// What the file states at a place in the level's goals or its task; null if there is nothing.
+/// The file's value at a place in the level's goals or its task; null if there is none.
 nlohmann::json statement(LevelFile const& level, std::string const& path) {
     constexpr std::string_view goals = "/goals";
     constexpr std::string_view task = "/task";

@@ -57,7 +57,7 @@ constexpr std::array<Direction, 4> directions{{
      "keep {} at least {} to the right of where it was at the start",
      "do not move {} to the right by {} or more"},
 }};
-/// The end of "keep", and what it is for several objects.
+/// The end of "keep", for one object and for several.
 constexpr std::string_view itWas = "it was at the start";
 constexpr std::string_view theyWere = "they were at the start";
 
@@ -123,7 +123,7 @@ public:
         return {{"object", with.objects[0]}, {"by", 1}};
     }
 
-    /// What has no body and no velocity stays where it is.
+    /// An object without a body and a velocity stays where it is.
     [[nodiscard]] std::vector<Impossibility> whyHopeless(Condition const& condition,
                                                          WholeLevel const& level) const override {
         World const& world = level.world;

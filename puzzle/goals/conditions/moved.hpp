@@ -14,7 +14,8 @@ struct WantedMove {
 /// Throws std::bad_any_cast for a condition of another kind.
 [[nodiscard]] WantedMove wantedMove(Condition const& condition);
 
-/// A whole condition of this kind, with its key: what an editor puts into a new condition on conditions.
+/// A whole condition of this kind, with its key: the first inner condition that an editor puts into a new
+/// condition on conditions.
 [[nodiscard]] nlohmann::ordered_json movedDraft(ConditionDraft const& with);
 
 } // namespace trembler::conditions

@@ -40,7 +40,7 @@ struct Impossibility {
     std::string path{};   ///< in the file, of the inner condition at fault; empty: the condition itself
 };
 
-/// With what an editor begins a condition.
+/// The initial form of a condition that an editor adds.
 struct ConditionDraft {
     std::vector<std::string> objects; ///< names, the first for the first selector
     nlohmann::ordered_json area;      ///< as a level file states it, m

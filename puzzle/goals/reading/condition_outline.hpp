@@ -37,8 +37,8 @@ struct ConditionOutline {
 [[nodiscard]] bool isArea(nlohmann::ordered_json const& schema);
 [[nodiscard]] bool isCondition(nlohmann::ordered_json const& schema);
 
-/// Calls `visit` with every selector in a condition and in its inner conditions. What does not have the form
-/// of the schema is left out.
+/// Calls `visit` with every selector in a condition and in its inner conditions. Values that do not have the
+/// form of the schema are left out.
 void forSelectors(nlohmann::ordered_json& condition,
                   std::function<void(nlohmann::ordered_json& selector)> const& visit);
 

@@ -39,7 +39,7 @@ LookForm ownForm(Facts const& facts) {
 
 LookForm formOf(Facts const& facts) {
     if (facts.form == LookForm::own && facts.drawing != nullptr && !facts.drawing->marks) {
-        return LookForm::plain; // the drawing says what it is
+        return LookForm::plain; // the drawing shows its function
     }
     bool const possible = facts.form != LookForm::bulb || hasBody(facts);
     return facts.form != LookForm::own && possible ? facts.form : ownForm(facts);

@@ -9,10 +9,10 @@
 
 namespace trembler::render {
 
-/// Never LookForm::own. Plain if the object has a drawing without marks. What the object states (DrawnAs),
-/// but for a bulb without a body, which cannot be drawn. Else a bulb if the object uses electricity and is
-/// made of glass; else the sign of its part in electricity, see signOf(); else plain, as is a coil, whose
-/// winding says what it is.
+/// Never LookForm::own. Plain if the object has a drawing without marks. The form that the object states
+/// (DrawnAs), except a bulb without a body, which cannot be drawn. Else a bulb if the object uses electricity
+/// and is made of glass; else the sign of its part in electricity, see signOf(); else plain, as is a coil,
+/// whose winding shows its function.
 [[nodiscard]] LookForm formOf(Facts const& facts);
 
 /// The object's part in electricity, as a sign; nothing for a plain conductor. The return is an earth, unless

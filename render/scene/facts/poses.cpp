@@ -5,7 +5,7 @@
 namespace trembler::render {
 namespace {
 
-// The fastest speed that a body may be given is 10 km/s; an object that goes further in a frame was put
+// The fastest speed that a body may be given is 10 km/s; an object that moves further in a frame was put
 // there.
 constexpr double farthestStep = 1e4 / 60.0;
 

@@ -185,7 +185,7 @@ std::optional<std::array<Point, 2>> clipLine(std::span<Point const> convex, Poin
     for (std::size_t i = 0; i < convex.size(); ++i) {
         Point const a = convex[i];
         Point const edge = convex[(i + 1) % convex.size()] - a;
-        double const speed = crossOf(edge, direction); // positive: the line goes in here
+        double const speed = crossOf(edge, direction); // positive: the line enters here
         double const ahead = crossOf(edge, at - a);
         if (speed == 0) {
             if (ahead < 0) {

@@ -7,7 +7,7 @@
 namespace trembler::render {
 
 /// Draws the shapes of the object's drawing, which it must have, in the order stated. `style` is that of the
-/// body: of it, how the object stands to the player is taken, and what a shape does not state itself.
+/// body: the highlights for the player, and all values that a shape does not state itself, are taken from it.
 void drawShapes(Canvas& canvas, Facts const& facts, Pose const& pose, Style const& style);
 
 } // namespace trembler::render

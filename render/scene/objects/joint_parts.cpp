@@ -77,7 +77,7 @@ void drawRail(Canvas& canvas, Joint const& joint, JointPlaces const& places) {
                metal(palette::steel, 0.5F));
 }
 
-// What runs between the joint's two ends.
+// The rope, rod or spring between the joint's two ends.
 JointDrawn tieOf(Joint const& joint) {
     if (joint.look.drawn != JointDrawn::own) {
         return joint.look.drawn;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int ropePieces = 24;
 
-// The largest disc about the pin; without one, what the ratio and the distance leave for it.
+// The largest disc about the pin; without one, a disc that follows from the ratio and the distance.
 double wheelRadius(Facts const& wheel, double pitch) {
     double radius = 0;
     if (wheel.shape != nullptr) {

@@ -21,7 +21,7 @@ struct JointPlaces {
     bool toWorld = false; ///< there is no object b
 };
 
-/// Nothing if the joint, or an object that it ties, is gone or has no place.
+/// Nothing if the joint, or an object that it ties, does not exist or has no place.
 [[nodiscard]] std::optional<JointPlaces> placesOf(World const& world, FactsReader const& reader,
                                                   ObjectId joint, PoseOf const& poseOf);
 

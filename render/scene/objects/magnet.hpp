@@ -1,5 +1,5 @@
-// Permanent magnets: halves in the colours of their poles, with letters, as some eyes cannot tell the colours
-// apart.
+// Permanent magnets: halves in the colours of their poles, with letters, as some eyes cannot distinguish the
+// colours.
 #pragma once
 
 #include "render/draw/canvas.hpp"

@@ -25,7 +25,7 @@ struct PartCable {
 
 constexpr double leastWidthOnTile = 0.05; // of a cable, as a share of the part's width
 
-// What a placement becomes, with the names of pieces and joints.
+// The objects that a placement becomes, with the names of pieces and joints.
 class ExpandedPart {
 public:
     ExpandedPart(PartLibrary const& library, Placement const& placement)
@@ -112,8 +112,8 @@ public:
     }
 
 private:
-    /// The place in properties_ of what a reference of a joint refers to; nullopt if it is not among the
-    /// part's objects.
+    /// The place in properties_ of the object to which a joint refers; nullopt if it is not among the part's
+    /// objects.
     [[nodiscard]] std::optional<std::size_t> place(std::size_t joint, ObjectId reference) const {
         StatementScope const* const scope = expanded_.objects[joint].stated.front().scope;
         if (scope == nullptr || scope->names == nullptr || !reference.valid()) {

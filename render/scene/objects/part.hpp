@@ -1,5 +1,5 @@
 // A part before it is in a world: in the toolbox, or while it is being placed. Of a composite, all pieces and
-// what joins them.
+// the joints between them.
 #pragma once
 
 #include "render/scene/facts/shape_geometry.hpp"
@@ -9,8 +9,8 @@
 
 namespace trembler::render {
 
-/// Draws what the placement would become, as a world would show it at its start. Nothing if there is no such
-/// part.
+/// Draws the objects that the placement would become, as a world would show them at its start. Nothing if
+/// there is no such part.
 void drawPart(Canvas& canvas, PartLibrary const& library, Placement const& placement,
               Marks const& marks = {});
 

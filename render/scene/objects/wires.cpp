@@ -157,7 +157,7 @@ std::vector<Link> linksOf(World const& world) {
 }
 
 std::vector<Point> cablePath(Facts const& a, Pose const& poseA, Facts const& b, Pose const& poseB) {
-    // The wires of what turns leave through its axle, where they cross nothing and are not wound up.
+    // The wires of a turning object leave through its axle, where they cross nothing and are not wound up.
     bool const apart = a.axle != b.axle;
     Vec2 const* const axleA = apart ? a.axle : nullptr;
     Vec2 const* const axleB = apart ? b.axle : nullptr;

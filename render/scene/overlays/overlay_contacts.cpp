@@ -34,7 +34,7 @@ void approach(std::vector<Approach>& all, std::span<Point const> corners, std::s
     }
 }
 
-// A round piece touches in one point, whatever corners its outline is drawn with.
+// A round piece touches in one point, although its outline is drawn with corners.
 double leastApart(ShapePiece const& piece) {
     switch (piece.form) {
     case ShapeForm::circle:

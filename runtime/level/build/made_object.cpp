@@ -13,7 +13,7 @@ struct Determined {
     StatedProperties const* place;
 };
 
-/// What determines each property, by key.
+/// The statement that determines each property, by key.
 std::map<std::string_view, Determined> determinedOf(MadeObject const& made) {
     std::map<std::string_view, Determined> all;
     for (StatedProperties const& place : made.stated) {

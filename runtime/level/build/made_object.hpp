@@ -13,7 +13,8 @@
 
 namespace trembler {
 
-/// A level, or one use of a part: what the names in its statements refer to, and the file they stand in.
+/// A level, or one use of a part: the objects to which the names in its statements refer, and the file of the
+/// statements.
 struct StatementScope {
     NameTable const* names = nullptr;
     /// Names of objects begin with it, as "front bell " does; empty in a level.
@@ -27,7 +28,7 @@ struct StatedProperties {
         entry,     ///< of an object: "properties", and beside them those of its placement
         members,   ///< members of a joint's or the world's entry
         part,      ///< of a part's file: "properties", and beside them its look
-        overrides, ///< what an entry of a composite states for one of its pieces
+        overrides, ///< properties that an entry of a composite states for one of its pieces
         placement, ///< a placement's "at" and "angle_deg"
     };
     PropertySet const* set = nullptr;
@@ -36,7 +37,7 @@ struct StatedProperties {
     Form form = Form::entry;
     PieceFrame frame{}; ///< that it is stated in, in the world
 
-    /// Whether it says anything about the property. Where a composite lies says nothing about its pieces.
+    /// Whether it states the property. The place of a composite states nothing about its pieces.
     [[nodiscard]] bool states(PropertyInfo const& info) const {
         return (form != Form::overrides || info.text.place == PropertyPlace::properties) && set->states(info);
     }

@@ -28,8 +28,8 @@ struct ExpandedEntry {
     std::vector<MadeConnection> connections;
 };
 
-/// Keeps what the objects that it returned refer to; so do the library and the entries, which must outlive
-/// them. Not thread-safe.
+/// Owns the scopes and property sets to which the returned objects refer. They also refer to the library and
+/// the entries, so all of these must outlive the objects. Not thread-safe.
 class PartExpander {
 public:
     /// Receives problems: the scope, the path in its file, the message, and what is expected.

@@ -1,4 +1,4 @@
-// Whether a name can be that of a piece, before it is known what the parts of a level consist of.
+// Whether a name can be that of a piece, before the pieces of a level's parts are known.
 #pragma once
 
 #include "runtime/level/model/entries.hpp"

@@ -11,7 +11,7 @@
 namespace trembler {
 namespace {
 
-/// Calls `use` with what a placement becomes, unless its pieces cannot be made.
+/// Calls `use` with the objects that a placement becomes, unless its pieces cannot be made.
 template <class Use>
 void withObjectsOf(PartLibrary const& library, Placement const& placement, Use const& use) {
     bool whole = true;

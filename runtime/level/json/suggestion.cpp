@@ -8,7 +8,8 @@
 namespace trembler {
 
 std::size_t editDistance(std::string_view a, std::string_view b, std::size_t limit) {
-    // What both begin and end with costs nothing: the words of a file often differ in a number only.
+    // A common beginning and end are left out of the computation: the words of a file often differ in a
+    // number only.
     while (!a.empty() && !b.empty() && a.front() == b.front()) {
         a.remove_prefix(1);
         b.remove_prefix(1);

@@ -102,12 +102,13 @@ struct LevelFile {
     std::vector<ToolboxEntry> toolbox;
     int wires = 0;        ///< that the player may lay: the entry {"wire": n} of "toolbox"
     nlohmann::json goals; ///< null if there are none; puzzle/goals reads them
-    nlohmann::json task;  ///< of a demonstration: what the player shall do with it; null if there is none
+    nlohmann::json
+        task; ///< of a demonstration: a condition that the player shall reach with it; null if there is none
     std::vector<std::string> hints;
-    std::vector<TeachingStep> teaching; ///< what a beginner is shown to do, in this order
+    std::vector<TeachingStep> teaching; ///< the steps of a beginner's first lesson, in this order
     Translations texts;                 ///< in further languages
     std::vector<Solution> solutions;
-    nlohmann::json editor; ///< what the level editor keeps, see read_editor.hpp; null if nothing
+    nlohmann::json editor; ///< the level editor's own data, see read_editor.hpp; null if it has none
 
     NameTable names; ///< of the objects that properties refer to
     /// The file that it was read from, for the places of problems that are found later; may be null.

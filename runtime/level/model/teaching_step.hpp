@@ -19,7 +19,7 @@ struct TeachingStep {
     };
 
     Kind kind = Kind::run;
-    std::string object; ///< place: the part; wire, cut: one end; grab: what is taken
+    std::string object; ///< place: the part; wire, cut: one end; grab: the object to take hold of
     std::string other;  ///< wire, cut: the other end
     Vec2 at;            ///< m: place: where the part goes; grab: where it is dragged
     double angle = 0;   ///< rad: place

@@ -79,7 +79,7 @@ private:
             *upper_ = PieceFrame::negative(lower);
         }
     }
-    /// The first corner stays the first, so that to mirror twice changes nothing.
+    /// The first corner stays the first, so that mirroring twice changes nothing.
     static void reverse(ListField& field) {
         for (std::size_t i = 1, j = field.size(); i + 1 < j; ++i) {
             --j;

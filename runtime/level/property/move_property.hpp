@@ -6,9 +6,9 @@
 
 namespace trembler {
 
-/// Changes a value that is stated inside `outer` into the value in the frame that `outer` lies in, by what
-/// its fields are in space (FieldGeometry). With `mirror`, the object is mirrored about its own y axis before
-/// that. Fields that are nothing in space stay as they are.
+/// Changes a value that is stated inside `outer` into the value in the frame that `outer` lies in, by the
+/// geometric meaning of its fields (FieldGeometry). With `mirror`, the object is mirrored about its own y
+/// axis before that. Fields without a geometric meaning stay as they are.
 void moveProperty(PropertyValue& value, PieceFrame const& outer, bool mirror);
 
 } // namespace trembler

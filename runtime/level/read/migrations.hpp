@@ -15,7 +15,7 @@ struct LevelMigration {
 /// All steps, ascending; the last one leads to levelVersion.
 [[nodiscard]] std::span<LevelMigration const> levelMigrations();
 
-/// Applies every step from the document's version on; `version` is what the file states.
+/// Applies every step from the document's version on; `version` is the number that the file states.
 void migrate(nlohmann::json& document, int version);
 
 } // namespace trembler

@@ -12,8 +12,8 @@
 
 namespace trembler {
 
-/// Complains through the nodes about what is wrong, and leaves such entries out. The registry and the table,
-/// to which it adds all names that properties refer to, must outlive it.
+/// Complains about wrong entries through their nodes, and leaves them out. The registry and the table, to
+/// which it adds all names that properties refer to, must outlive it.
 class EntryReader {
 public:
     EntryReader(Registry const& registry, NameTable& names) : registry_(registry), names_(names) {}

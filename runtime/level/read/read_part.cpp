@@ -44,7 +44,7 @@ PartDefinition readPart(Registry const& registry, std::shared_ptr<JsonDocument c
         }
         readPieces(reader, registry, part);
         NameTable* const names =
-            part.composite() ? &part.names : nullptr; // one object has nobody to refer to
+            part.composite() ? &part.names : nullptr; // a part of one object has no other objects to refer to
         PropertyInfo const* const look = registry.objectProperty(lookKey);
         if (look != nullptr) {
             if (auto const node = reader.optional(std::string(lookKey))) {

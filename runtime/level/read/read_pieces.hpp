@@ -1,4 +1,4 @@
-// Reads what a composite part consists of.
+// Reads the pieces of a composite part.
 #pragma once
 
 #include "runtime/level/json/json_node.hpp"

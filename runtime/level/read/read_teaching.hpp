@@ -1,4 +1,4 @@
-// "teaching" of a level: what a beginner is shown to do, step by step.
+// "teaching" of a level: the steps of a beginner's first lesson.
 #pragma once
 
 #include "runtime/level/json/json_node.hpp"

@@ -1,4 +1,4 @@
-// "texts" of a level, a part or a chapter: what it says, in further languages.
+// "texts" of a level, a part or a chapter: its texts in further languages.
 #pragma once
 
 #include "runtime/level/json/json_node.hpp"

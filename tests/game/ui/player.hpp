@@ -3,8 +3,8 @@
 
 #include "game/ui/app/app.hpp"
 #include "game/ui/play/play_screen.hpp"
-#include "render/window/synthetic_input.hpp"
 #include "tests/support/game_data.hpp"
+#include "tests/support/synthetic_input.hpp"
 
 #include <SDL.h>
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 #include "tests/game/ui/screen_walk.hpp"
 
-#include "game/ui/app/title_screen.hpp"
+#include "game/ui/app/title/title_screen.hpp"
 #include "game/ui/edit/edit_screen.hpp"
 #include "game/ui/edit/study/level_studies.hpp"
 #include "render/window/gamepad.hpp"

@@ -1,6 +1,7 @@
 #include "insight/miss/miss_meter.hpp"
 #include "puzzle/goals/conditions/table.hpp"
 #include "runtime/level/read/read_level.hpp"
+#include "tests/insight/support/measured_run.hpp"
 #include "tests/support/game_data.hpp"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // How near something was that should cease to hold.
+#include "insight/miss/current/ways_of_current.hpp"
 #include "insight/miss/negated_miss.hpp"
-#include "insight/miss/ways_of_current.hpp"
-#include "insight/why/words.hpp"
+#include "insight/why/words/words.hpp"
 #include "runtime/level/json/json_document.hpp"
 #include "runtime/level/read/read_level.hpp"
 #include "tests/insight/support/explained_miss.hpp"

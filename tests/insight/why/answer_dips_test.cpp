@@ -43,7 +43,7 @@ Answer whyAfloat(LevelFile const& level) {
     return why(runs, {}, question, options);
 }
 
-/// How well it is known that an object's dip is a cause; nothing if it is not told.
+/// How well it is known that an object's dip is a cause; nothing if the answer lacks it.
 std::optional<Proof> proofOfDip(Answer const& answer, std::string const& object) {
     for (ChainStep const& one : answer.chain) {
         if (one.step.kind == StepKind::liquid && one.step.objects.front() == object) {

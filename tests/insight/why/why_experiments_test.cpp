@@ -1,6 +1,6 @@
 // The thesis's four experiments, and what a player may do in them: the answer's chain is that of the
 // thesis's accounts (docs/account.md).
-#include "insight/why/words.hpp"
+#include "insight/why/words/words.hpp"
 #include "puzzle/campaign/as_played.hpp"
 #include "runtime/level/read/read_level.hpp"
 #include "tests/support/game_data.hpp"

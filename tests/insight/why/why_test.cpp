@@ -1,5 +1,5 @@
 // The chains of causes of the thesis's experiments and of levels are the chains that their accounts name.
-#include "insight/why/words.hpp"
+#include "insight/why/words/words.hpp"
 #include "physics/dynamics/properties/shapes/overlap.hpp"
 #include "runtime/level/read/read_level.hpp"
 #include "runtime/placement.hpp"

@@ -1,6 +1,6 @@
 #include "tests/physics/electricity/circuit_world.hpp"
 
-#include "physics/electricity/rules/initial_connections.hpp"
+#include "tests/support/initial_wire.hpp"
 
 #include <gtest/gtest.h>
 

@@ -7,13 +7,13 @@
 #include "physics/dynamics/properties/settings.hpp"
 #include "physics/dynamics/properties/shape.hpp"
 #include "physics/electricity/properties/electrical.hpp"
-#include "physics/electricity/rules/initial_connections.hpp"
 #include "physics/gravity/properties.hpp"
 #include "physics/magnetism/properties.hpp"
 #include "physics/motor/properties.hpp"
 #include "physics/register_physics.hpp"
 #include "runtime/placement.hpp"
 #include "runtime/world/world.hpp"
+#include "tests/support/initial_wire.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,7 @@
 // Descriptions of folders of levels.
 #include "puzzle/campaign/chapter.hpp"
 #include "puzzle/data/game_data.hpp"
+#include "puzzle/data/published_schema.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -67,7 +68,7 @@ TEST(Chapter, EveryFolderOfLevelsHasOneAndTheSchemaIsPublished) {
     }
     std::ifstream in(levels / "chapter.schema.json");
     std::string const published(std::istreambuf_iterator<char>(in), {});
-    EXPECT_EQ(published, chapterSchema().dump(2) + "\n");
+    EXPECT_EQ(published, publishedSchema(AuthoredFile::chapter).dump(2) + "\n");
 }
 
 } // namespace

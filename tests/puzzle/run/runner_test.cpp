@@ -1,4 +1,4 @@
-// Running a session: frames that take long are told.
+// Running a session: frames that take long are reported.
 #include "puzzle/run/runner.hpp"
 #include "tests/support/experiment.hpp"
 

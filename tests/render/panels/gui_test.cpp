@@ -1,14 +1,7 @@
 // Panels react to SDL's events, including pushed ones, and are drawn correctly at both sizes.
-#include "render/draw/path.hpp"
-#include "render/panels/buttons.hpp"
-#include "render/panels/cards.hpp"
 #include "render/panels/gui.hpp"
-#include "render/panels/toasts.hpp"
-#include "render/panels/toolbox_tile.hpp"
-#include "render/panels/world_label.hpp"
-#include "render/window/synthetic_input.hpp"
-#include "tests/render/stage.hpp"
-#include "tests/support/sanitizer.hpp"
+#include "render/panels/theme.hpp"
+#include "tests/render/panels/panels.hpp"
 
 #include <epoxy/gl.h>
 #include <imgui_stdlib.h>
@@ -19,54 +12,6 @@
 namespace trembler::render::test {
 namespace {
 
-class Panels : public testing::Test {
-protected:
-    void SetUp() override {
-        SDL_FlushEvents(SDL_FIRSTEVENT, SDL_LASTEVENT);
-        window().resize({1280, 720});
-        gui_ = std::make_unique<Gui>(window(), GuiOptions{.steady = true});
-        input_ = std::make_unique<InputEvents>(window());
-    }
-
-    /// One frame of `draw`, on the paper.
-    void frame(std::function<void()> const& draw) {
-        input_->poll();
-        gui_->beginFrame(*input_, 1.0 / 60);
-        draw();
-        window().beginFrame(palette::paper);
-        gui_->endFrame();
-        window().present();
-    }
-
-    /// One frame of `draw` that is not drawn.
-    void dropped(std::function<void()> const& draw) {
-        input_->poll();
-        gui_->beginFrame(*input_, 1.0 / 60);
-        draw();
-        gui_->dropFrame();
-    }
-
-    std::unique_ptr<Gui> gui_;
-    std::unique_ptr<InputEvents> input_;
-};
-
-/// A window at a fixed place with one item, whose middle is stored.
-struct Bench {
-    ImVec2 middle;
-    void show(std::function<void()> const& draw) {
-        ImGui::SetNextWindowPos({100, 100});
-        ImGui::Begin("bench", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize);
-        draw();
-        ImVec2 const low = ImGui::GetItemRectMin();
-        ImVec2 const high = ImGui::GetItemRectMax();
-        middle = {0.5F * (low.x + high.x), 0.5F * (low.y + high.y)};
-        ImGui::End();
-    }
-    [[nodiscard]] Point at() const { return {static_cast<double>(middle.x), static_cast<double>(middle.y)}; }
-};
-
-// Keys are named in body text and, on the page of keys, in small text. Both come from a font that lacks
-// arrows.
 /// How many textures the graphics card has.
 int textures() {
     unsigned const newest = makeTexture().name();
@@ -93,6 +38,8 @@ TEST_F(Panels, FollowTheScaleBeforeTheirFirstFrameWithoutATextureTooMany) {
     EXPECT_EQ(textures(), before);
 }
 
+// Keys are named in body text and, on the page of keys, in small text. Both come from a font that lacks
+// arrows.
 TEST_F(Panels, TextOfBothSizesHasTheArrowKeys) {
     if (theme().fonts.builtIn) {
         GTEST_SKIP() << "no font is installed";
@@ -155,39 +102,6 @@ TEST_F(Panels, APushedClickClicks) {
     EXPECT_EQ(clicks, 1);
 }
 
-TEST_F(Panels, AClickWithinOneFrameClicks) {
-    Bench bench;
-    int clicks = 0;
-    auto const draw = [&] { bench.show([&] { clicks += bigButton("Start") ? 1 : 0; }); };
-    frame(draw);
-    frame(draw);
-    pushMouseMove(window(), bench.at());
-    frame(draw);
-    pushClick(window(), bench.at());
-    frame(draw);
-    frame(draw);
-    frame(draw);
-    EXPECT_EQ(clicks, 1);
-    // A click beside the button is ignored by panels and left to the world.
-    pushClick(window(), {900, 600});
-    frame(draw);
-    frame(draw);
-    EXPECT_EQ(clicks, 1);
-    EXPECT_FALSE(gui_->wantsMouse());
-}
-
-TEST_F(Panels, ADisabledButtonCannotBeClicked) {
-    Bench bench;
-    int clicks = 0;
-    auto const draw = [&] { bench.show([&] { clicks += bigButton("Start", {.enabled = false}) ? 1 : 0; }); };
-    frame(draw);
-    frame(draw);
-    pushClick(window(), bench.at());
-    frame(draw);
-    frame(draw);
-    EXPECT_EQ(clicks, 0);
-}
-
 TEST_F(Panels, DragsMoveSliders) {
     Bench bench;
     float value = 0.F;
@@ -241,30 +155,6 @@ TEST_F(Panels, TextIsTyped) {
     EXPECT_EQ(text, "");
 }
 
-TEST_F(Panels, ATileIsTakenWhenTheMouseGoesDown) {
-    Bench bench;
-    int taken = 0;
-    int count = 1;
-    auto const draw = [&] {
-        bench.show(
-            [&] { taken += toolboxTile({.id = "bar", .name = "Steel bar", .count = count}).taken ? 1 : 0; });
-    };
-    frame(draw);
-    frame(draw);
-    pushMouseMove(window(), bench.at());
-    frame(draw);
-    pushMouseButton(window(), MouseButton::Left, true, bench.at());
-    frame(draw);
-    EXPECT_EQ(taken, 1);
-    pushMouseButton(window(), MouseButton::Left, false, bench.at());
-    frame(draw);
-    count = 0;
-    pushClick(window(), bench.at());
-    frame(draw);
-    frame(draw);
-    EXPECT_EQ(taken, 1);
-}
-
 TEST_F(Panels, InputReportsTheEvents) {
     auto const nothing = [] {};
     frame(nothing);
@@ -286,14 +176,14 @@ TEST_F(Panels, InputReportsTheEvents) {
     EXPECT_TRUE(input_->keyHeld(SDLK_SPACE));
     EXPECT_TRUE(input_->held(MouseButton::Right));
     EXPECT_FALSE(input_->pressed(MouseButton::Right));
-    EXPECT_FALSE(input_->quit());
+    EXPECT_FALSE(input_->quitAsked());
     pushKey(window(), SDLK_SPACE, false);
     pushMouseButton(window(), MouseButton::Right, false, {13, 18});
     pushQuit();
     frame(nothing);
     EXPECT_FALSE(input_->keyHeld(SDLK_SPACE));
     EXPECT_TRUE(input_->released(MouseButton::Right));
-    EXPECT_TRUE(input_->quit());
+    EXPECT_TRUE(input_->quitAsked());
 }
 
 TEST_F(Panels, LettersScaleWithTheInterface) {
@@ -306,166 +196,6 @@ TEST_F(Panels, LettersScaleWithTheInterface) {
     EXPECT_FALSE(gui_->fonts().builtIn) << gui_->fonts().message;
     for (ImWchar const sign : std::initializer_list<ImWchar>{0x03A9, 0x00B5, 0x2192, 0x2713, 0x2026}) {
         EXPECT_NE(gui_->fonts().body->FindGlyphNoFallback(sign), nullptr) << std::hex << sign;
-    }
-}
-
-TEST_F(Panels, ToastsAppearAndDisappear) {
-    Toasts toasts;
-    for (int i = 0; i < 8; ++i) {
-        toasts.add("Number " + std::to_string(i), ToastKind::News, 1);
-    }
-    EXPECT_EQ(toasts.count(), 5U);
-    frame([&] { toasts.draw(0.5); });
-    EXPECT_EQ(toasts.count(), 5U);
-    frame([&] { toasts.draw(0.6); });
-    EXPECT_EQ(toasts.count(), 0U);
-}
-
-/// A part's small picture, as a toolbox shows it.
-std::unique_ptr<Framebuffer> partPicture(float scale, std::function<void(Canvas&)> const& draw) {
-    auto const side = static_cast<int>(80 * scale);
-    auto target = std::make_unique<Framebuffer>(Size{side, side});
-    target->bind();
-    clearBound(tileGround());
-    Camera camera{{0, 0}, 0.42 * side, {side, side}};
-    canvas().begin(camera, {.uiScale = scale});
-    draw(canvas());
-    canvas().end();
-    return target;
-}
-
-void sampleWorld(Canvas& sheet) {
-    sheet.paper();
-    sheet.box({{0, -2.6}, 0}, {5.2, 0.25}, 0.03, {.pattern = Pattern::Wood});
-    sheet.box({{-2.2, -1.75}, 0}, {0.8, 0.6}, 0.06, {.pattern = Pattern::Metal});
-    sheet.box({{-2.2, 0.1}, 0}, {0.35, 1.25}, 0.04, {.pattern = Pattern::Metal});
-    for (int i = 0; i < 9; ++i) {
-        double const y = -0.9 + 0.22 * i;
-        sheet.capsule({-2.62, y}, {-1.78, y + 0.1}, 0.085, {.pattern = Pattern::Copper, .outline = 1.4F});
-    }
-    Stroke wire{.colour = palette::live, .width = 0.09, .outline = 1.5F, .round = true, .height = 1.F};
-    wire.glow = {palette::live, 0.22, 0.8F};
-    auto const live = hangingWire({-1.75, -0.8}, {1.6, -1.9}, 0.5, 24);
-    sheet.polyline(live, wire);
-    sheet.beads(live, 0.28, 0.3, 0.03, palette::liveCore);
-    sheet.box({{2.1, -2.05}, 0}, {0.55, 0.3}, 0.05,
-              {.pattern = Pattern::Plastic, .glow = {palette::live, 0.2, 0.7F}});
-    sheet.newSheet();
-    Style bar{.pattern = Pattern::Metal};
-    bar.selected = true;
-    sheet.box({{-2.1, 2.2}, 0.12}, {0.9, 0.13}, 0.04, bar);
-    sheet.arrow({-2.1, 2.0}, {-2.1, 1.55}, {.colour = palette::force, .pixels = 5.F, .outline = 1.2F});
-    sheet.circle({{3.4, -1.9}, 0.4}, 0.45, {.pattern = Pattern::Rubber});
-}
-
-TEST_F(Panels, SampleScreen) {
-    std::vector<Size> sizes{{1280, 720}};
-    if (!trembler::test::underSanitizer) { // both sizes are drawn by the same code
-        sizes.push_back({3840, 2160});
-    }
-    for (Size const size : sizes) {
-        window().resize(size);
-        float const scale = window().uiScale();
-        std::array const pictures{
-            partPicture(scale,
-                        [](Canvas& c) {
-                            c.box({{0, 0}, 0.5}, {0.9, 0.14}, 0.03, {.pattern = Pattern::Metal});
-                        }),
-            partPicture(scale,
-                        [](Canvas& c) {
-                            c.box({{0, 0}, 0.5}, {0.9, 0.14}, 0.03, {.pattern = Pattern::Wood});
-                        }),
-            partPicture(scale,
-                        [](Canvas& c) {
-                            c.circle({{0, 0}, 0.5}, 0.6, {.pattern = Pattern::Rubber});
-                        }),
-            partPicture(scale,
-                        [](Canvas& c) {
-                            c.circle({{0, 0}, 0.5}, 0.6, {.pattern = Pattern::Glass});
-                        }),
-        };
-        Toasts toasts;
-        toasts.add("The bar closes the circuit", ToastKind::Success);
-        Camera camera;
-        camera.viewport = size;
-        camera.fit({-6.4, -3.6}, {6.4, 3.6}, 0);
-        Image image;
-        for (int i = 0; i < 4; ++i) {
-            input_->poll();
-            gui_->beginFrame(*input_, 1.0 / 60);
-            window().beginFrame(palette::paper);
-            canvas().begin(camera, {.uiScale = scale});
-            sampleWorld(canvas());
-            canvas().end();
-            worldLabel(camera, {2.1, -2.05}, "battery", {.look = LabelLook::Chip, .below = 42.F});
-            worldLabel(camera, {-2.2, -1.75}, "N", {.colour = palette::paperLight, .metresHigh = 0.5});
-            worldLabel(camera, {-1.6, 1.7}, "12 N", {.colour = palette::force});
-
-            beginCard("goal", "First contact", {.anchor = Anchor::TopLeft, .width = 320});
-            std::array const goals{
-                GoalLine{"Lift the steel bar off the table", GoalLine::State::Met},
-                GoalLine{"Keep the magnet on for two seconds", GoalLine::State::Open, 0.6F},
-                GoalLine{"Leave the glass ball whole", GoalLine::State::Failed},
-            };
-            goalLines(goals);
-            caption("Take a part from the toolbox and put it where current should flow.");
-            endCard();
-
-            beginCard("toolbox", "Toolbox", {.anchor = Anchor::TopRight});
-            std::array const names{"Steel bar", "Wooden bar", "Rubber ball", "Glass ball"};
-            for (int tile = 0; tile < 4; ++tile) {
-                auto const index = static_cast<std::size_t>(tile);
-                if (tile % 2 == 1) {
-                    ImGui::SameLine();
-                }
-                toolboxTile({.id = names[index],
-                             .name = names[index],
-                             .count = 3 - tile,
-                             .picture = pictures[index]->texture(),
-                             .selected = tile == 0});
-            }
-            endCard();
-
-            beginCard("transport", "", {.anchor = Anchor::Bottom, .bare = true});
-            bigButton("Start", {.icon = Icon::Play, .look = ButtonLook::Primary, .width = 150});
-            ImGui::SameLine();
-            bigButton("Reset", {.icon = Icon::Reset});
-            ImGui::SameLine();
-            bigButton("Give up", {.icon = Icon::Cross, .look = ButtonLook::Danger});
-            ImGui::SameLine();
-            bigButton("Later", {.enabled = false});
-            endCard();
-
-            beginCard("tools", "", {.anchor = Anchor::BottomLeft, .width = 330});
-            std::array const icons{
-                Icon::Play,   Icon::Pause,    Icon::Stop,      Icon::Step,   Icon::Record, Icon::Reset,
-                Icon::Camera, Icon::TurnLeft, Icon::TurnRight, Icon::Flip,   Icon::Remove, Icon::Hint,
-                Icon::Why,    Icon::Menu,     Icon::Settings,  Icon::Back,   Icon::Next,   Icon::Tick,
-                Icon::Cross,  Icon::Plus,     Icon::Eye,       Icon::Magnet, Icon::Bolt};
-            for (std::size_t n = 0; n < icons.size(); ++n) {
-                if (n % 6 != 0) {
-                    ImGui::SameLine();
-                }
-                iconButton(("icon" + std::to_string(n)).c_str(), icons[n], "", n == 20);
-            }
-            endCard();
-
-            beginCard("inspector", "Inspector", {.anchor = Anchor::BottomRight, .width = 290});
-            static float mass = 2.5F;
-            static bool fixed = true;
-            static std::string name = "object 1";
-            ImGui::InputText("Name", &name);
-            ImGui::SliderFloat("Mass", &mass, 0.F, 10.F, "%.1f kg");
-            ImGui::Checkbox("Fixed in place", &fixed);
-            ImGui::TextUnformatted("Resistance  4.7 Ω → 12 V");
-            endCard();
-            toasts.draw(0.2);
-            gui_->endFrame();
-            image = window().readPixels();
-            window().present();
-        }
-        keepForPeople(image, "panels-" + std::to_string(size.height));
-        EXPECT_EQ(image.size(), size);
     }
 }
 

@@ -1,6 +1,6 @@
 // Files that are dropped onto the window; the other events are tested by the screens that use them.
 #include "render/window/input_events.hpp"
-#include "render/window/synthetic_input.hpp"
+#include "tests/support/synthetic_input.hpp"
 
 #include <gtest/gtest.h>
 

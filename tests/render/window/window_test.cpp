@@ -1,5 +1,6 @@
 // The window reports failures as sentences, and its pictures can be saved.
 #include "tests/render/stage.hpp"
+#include "tests/support/read_png.hpp"
 
 #include <SDL.h>
 

@@ -18,9 +18,9 @@ namespace frame_resolver_test {
 namespace {
 
 /// The longest part of a frame that the object requests.
-struct Wish {
+struct PartLimit {
     static constexpr PropertyKind kind = PropertyKind::object;
-    static constexpr PropertyText text{"Wish", "test_wish", "The longest part of a frame."};
+    static constexpr PropertyText text{"Part limit", "test_part_limit", "The longest part of a frame."};
     double longest = 0; // s
 
     template <class Self, class Visitor>
@@ -29,13 +29,13 @@ struct Wish {
     }
 };
 
-struct FrameFromWish final : Interaction<FrameFromWish, FrameRole, Reads<Wish>> {
+struct FrameFromPartLimit final : Interaction<FrameFromPartLimit, FrameRole, Reads<PartLimit>> {
     static constexpr ComponentText text{
-        .name = "Frame <- Wish", .effect = "frame", .level = "", .work = "Passes wishes on."};
-    using Activation = NeedsAll<Wish>;
+        .name = "Frame <- Part limit", .effect = "frame", .level = "", .work = "Passes limits on."};
+    using Activation = NeedsAll<PartLimit>;
     void apply(Access& access) {
-        forEach([&](ObjectId, Wish const& wish) { access.call(SplitFrame{wish.longest}); },
-                access.read<Wish>());
+        forEach([&](ObjectId, PartLimit const& limit) { access.call(SplitFrame{limit.longest}); },
+                access.read<PartLimit>());
     }
 };
 
@@ -43,7 +43,7 @@ Registry const& registry() {
     static Registry const shared = [] {
         Registry made;
         registerRuntime(made);
-        made.component<FrameFromWish>();
+        made.component<FrameFromPartLimit>();
         return made;
     }();
     return shared;
@@ -51,11 +51,12 @@ Registry const& registry() {
 
 struct Scene {
     World world;
-    explicit Scene(std::vector<double> const& wishes, WorldOptions options = {})
+    explicit Scene(std::vector<double> const& limits, WorldOptions options = {})
         : world(registry(), std::move(options)) {
         world.store().create("world");
-        for (std::size_t i = 0; i < wishes.size(); ++i) {
-            world.store().column<Wish>().set(world.store().create("wish " + std::to_string(i)), {wishes[i]});
+        for (std::size_t i = 0; i < limits.size(); ++i) {
+            world.store().column<PartLimit>().set(world.store().create("limit " + std::to_string(i)),
+                                                  {limits[i]});
         }
     }
     void state(std::int32_t parts) {
@@ -64,13 +65,13 @@ struct Scene {
     [[nodiscard]] int parts() const { return world.find<FrameParts>()->parts; }
 };
 
-/// The fewest parts of which none is longer than any wish; 8 if there are not so many.
-int fewestParts(std::vector<double> const& wishes) {
+/// The fewest parts of which none is longer than any limit; 8 if there are not so many.
+int fewestParts(std::vector<double> const& limits) {
     for (int const parts : {1, 2, 4}) {
         bool enough = true;
-        for (double const wish : wishes) {
-            bool const requests = std::isfinite(wish) && wish > 0;
-            enough = enough && (!requests || 1.0 / 60 / parts <= wish);
+        for (double const limit : limits) {
+            bool const requests = std::isfinite(limit) && limit > 0;
+            enough = enough && (!requests || 1.0 / 60 / parts <= limit);
         }
         if (enough) {
             return parts;
@@ -79,9 +80,10 @@ int fewestParts(std::vector<double> const& wishes) {
     return 8;
 }
 
-// In tenths of a millisecond no wish is on the border: a frame is 16.67 ms, its parts 8.33, 4.17 and 2.08 ms.
+// In tenths of a millisecond no limit is on the border: a frame is 16.67 ms, its parts 8.33, 4.17 and 2.08
+// ms.
 TEST(FrameResolver, MakesPartsAsShortAsTheShortestWish) {
-    EXPECT_TRUE(rc::check("random wishes, nonsense among them", [] {
+    EXPECT_TRUE(rc::check("random limits, nonsense among them", [] {
         auto const below = [](int bound) {
             return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(0, bound));
         };
@@ -89,21 +91,21 @@ TEST(FrameResolver, MakesPartsAsShortAsTheShortestWish) {
                                    std::numeric_limits<double>::infinity(),
                                    -std::numeric_limits<double>::infinity()};
         auto const random = [&] {
-            std::vector<double> wishes;
+            std::vector<double> limits;
             for (int i = below(4); i > 0; --i) {
-                wishes.push_back(below(4) == 0 ? nonsense[below(5)] : (1 + below(250)) * 1e-4);
+                limits.push_back(below(4) == 0 ? nonsense[below(5)] : (1 + below(250)) * 1e-4);
             }
-            return wishes;
+            return limits;
         };
-        std::vector<double> const wishes = random();
-        Scene scene(wishes);
+        std::vector<double> const limits = random();
+        Scene scene(limits);
         scene.world.start();
         scene.world.step();
         RC_ASSERT(scene.parts() == 1); // no call has been made before the first frame
         scene.world.step();
-        int const expected = fewestParts(wishes);
+        int const expected = fewestParts(limits);
         RC_ASSERT(scene.parts() == expected);
-        // A stated number counts instead, whatever the wishes are.
+        // A stated number counts instead, whatever the limits are.
         int const stated = 1 << below(4);
         scene.state(stated);
         scene.world.step();
@@ -123,7 +125,7 @@ TEST(FrameResolver, APartMayBeExactlyAsLongAsTheWish) {
         scene.world.step();
         EXPECT_EQ(scene.parts(), parts);
     }
-    // The shortest wish of all is as good as any that is below an eighth of a frame.
+    // The shortest limit of all is as good as any that is below an eighth of a frame.
     Scene scene({std::numeric_limits<double>::denorm_min()});
     scene.world.start();
     scene.world.step();

@@ -41,7 +41,7 @@ edit::Alignment modelAlignment(Alignment alignment) {
     return edit::Alignment::centresY;
 }
 
-/// Moves what is selected and is no object: all points of a joint, or an area.
+/// Moves a selected joint, with all its points, or a selected area.
 edit::Command moveOtherThing(EditParts const& parts, Json const& level, Vec2 by) {
     std::string const path = parts.selection.path();
     if (parts.selection.kind() == EntryKind::joint) {

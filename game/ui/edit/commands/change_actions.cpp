@@ -61,8 +61,8 @@ std::size_t indexAtEnd(std::string const& path) {
     return static_cast<std::size_t>(std::strtoul(path.c_str() + path.rfind('/') + 1, nullptr, 10));
 }
 
-/// Takes back what is stated about the selected piece: the piece itself is its part's. False if none is
-/// selected that the objects have.
+/// Removes the statements about the selected piece, as the piece itself belongs to its part. False if no
+/// piece of the objects is selected.
 bool deletePiece(EditParts& parts) {
     auto const pieces = edit::inspectPieces(*parts.data, parts.tree(), parts.selected());
     std::string const chosen = parts.selection.piece();

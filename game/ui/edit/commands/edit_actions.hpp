@@ -28,7 +28,7 @@ void leaveFor(EditParts& parts, std::function<void(EditParts&)> const& then);
 
 // Test play.
 void testPlay(EditParts& parts);
-/// Plays a recorded solution; with `again` what is recorded then replaces it.
+/// Plays a recorded solution; with `again` the new recording replaces it.
 void playSolution(EditParts& parts, std::string const& name, bool again);
 /// Plays a run that need not be recorded in the level.
 void playRun(EditParts& parts, Solution const& solution);
@@ -42,12 +42,12 @@ void makeReport(EditParts& parts);
 void measureCosts(EditParts& parts);
 /// Shows the page, and begins the search, or stops it.
 void searchSolutions(EditParts& parts);
-/// Records what the search has found as a solution of the level, by its number from 0.
+/// Adds a solution that the search has found to the level, by its number from 0.
 void keepFound(EditParts& parts, std::size_t found);
 [[nodiscard]] bool isReporting(EditParts const& parts);
 [[nodiscard]] bool isSearching(EditParts const& parts);
-/// Of the document without what the editor keeps about objects; and without recorded solutions, which a
-/// search does not look at. Equal texts: the same level.
+/// The document's text without the editor's own data, and without recorded solutions, which a search ignores.
+/// Equal texts: the same level.
 [[nodiscard]] std::string const& stateOf(EditParts const& parts, bool withSolutions);
 
 // Changes.
@@ -116,7 +116,7 @@ void distribute(EditParts& parts) {
 // Tools.
 /// Takes the tool; one that is in the hand already makes its thing in the middle of the view.
 void take(EditParts& parts, Tool tool);
-/// Adds a wooden object with a drawn shape; `name` is what it is called if that is free.
+/// Adds a wooden object with a drawn shape; its name is `name` if that is free.
 [[nodiscard]] edit::Command shapeCommand(edit::Json const& level, edit::DrawnShape const& drawn,
                                          std::string const& name);
 void addDrawn(EditParts& parts, std::function<edit::Command(edit::Json const&)> const& make);

@@ -45,7 +45,8 @@ std::unique_ptr<PlayScreen> playScreenFor(EditParts& parts) {
     }
 }
 
-/// Plays the solution, or with `over` waits with its parts for what then replaces the one of that name.
+/// Plays the solution, or with `over` places its parts and waits for a new recording, which replaces the
+/// solution of that name.
 void beginRun(EditParts& parts, std::unique_ptr<PlayScreen> screen, Solution const& solution,
               std::string const& over) {
     try {

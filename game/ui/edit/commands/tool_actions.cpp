@@ -20,8 +20,8 @@ Vec2 placeOf(EditParts const& parts, std::string const& name) {
     return object == nullptr ? parts.middleOfView() : edit::placeOf(*object);
 }
 
-/// What the tool makes without the mouse: something in the middle of the view, or between two selected
-/// objects.
+/// The result of the tool without the mouse: an object in the middle of the view, or a joint or wire between
+/// two selected objects.
 void makeInTheMiddle(EditParts& parts, Tool tool) {
     Vec2 const middle = parts.middleOfView();
     auto const& names = parts.selected();

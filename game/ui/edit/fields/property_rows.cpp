@@ -115,7 +115,7 @@ void drawObjectProperty(EditParts& parts, edit::InspectedProperty const& propert
     ImGui::PushID(property.key.c_str());
     ImGui::Dummy({0, scaled(1)});
     drawHeading(property);
-    // What only the object states cannot go back to a value of its part.
+    // A property that only the object states has no value of its part to return to.
     if (property.canReset && property.origin != edit::ValueOrigin::own) {
         besideIfRoom(words::reset);
         if (smallButton(parts, words::reset, "reset " + property.key, words::resetTip)) {

@@ -128,7 +128,7 @@ WrappedText unwrapLines(WrappedText const& wrapped) {
             if (at == wrapped.cursor) {
                 plain.cursor = plain.text.size();
             }
-        } else if (text[at] == '\r') { // half of a break: what was before it was meant
+        } else if (text[at] == '\r') { // half of a break: the position before the break is meant
             while (!plain.text.empty() && (static_cast<unsigned char>(plain.text.back()) & 0xC0U) == 0x80U) {
                 plain.text.pop_back();
             }

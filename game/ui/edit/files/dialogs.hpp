@@ -29,7 +29,7 @@ public:
     void offerRecovery(std::vector<edit::Recovery> recoveries);
     void showReadOnly() { shown_ = Shown::readOnly; }
     void askPartName(std::string const& proposed);
-    /// The file was changed by somebody else; `path` empty: the document's own.
+    /// Another program has changed the file; `path` empty: the document's own.
     void askConflict(std::string message, std::filesystem::path path);
     /// The file to which a new level is to be saved.
     void propose(std::filesystem::path const& path) { proposed_ = path; }

@@ -82,7 +82,7 @@ void FileBrowser::enter(fs::path const& folder) {
     if (error) {
         trouble_ = words::cannotReadFolder(folder.string(), error.message());
         if (!folder_.empty()) {
-            return; // what was shown stays
+            return; // the list shown before stays
         }
     }
     std::sort(entries.begin(), entries.end(), [](Entry const& a, Entry const& b) {

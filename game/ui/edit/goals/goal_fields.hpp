@@ -1,4 +1,4 @@
-// Widgets for what a condition of a goal says: which objects, how far, how many.
+// Widgets for the values of a goal's condition: which objects, how far, how many.
 #pragma once
 
 #include "game/ui/edit/edit_parts.hpp"

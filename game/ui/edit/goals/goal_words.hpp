@@ -1,4 +1,4 @@
-// The words of goals while they are edited: kinds of conditions, and what stands in them.
+// The words of goals while they are edited: kinds of conditions and their fields.
 #pragma once
 
 #include <string>

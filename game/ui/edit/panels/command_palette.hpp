@@ -26,7 +26,7 @@ private:
     std::size_t chosen_ = 0;
 };
 
-/// Whether every word of `typed` stands in the text, whatever the case.
+/// Whether every word of `typed` occurs in the text, in upper or lower case.
 [[nodiscard]] bool fitsSearch(std::string const& text, std::string const& typed);
 
 } // namespace trembler::ui

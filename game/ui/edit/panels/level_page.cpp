@@ -67,7 +67,7 @@ void drawTexts(EditParts& parts) {
     }
 }
 
-/// Of the number of wires, with an entry for it and without: a drag from 0 makes the entry and goes on.
+/// Of the number of wires, with an entry for it and without: a drag from 0 makes the entry and continues.
 constexpr char const* wiresId = "wires";
 
 /// How many wires the player may lay; `beside` is the width of the buttons that follow in pixels.

@@ -55,7 +55,7 @@ bool drawPartsPage(EditParts& parts) {
             ImGui::SameLine();
         }
         auto const pixels = static_cast<int>(std::lround(scaled(tileOfCatalogue - 12)));
-        // Only what is seen gets a picture: there may be hundreds of parts.
+        // Only visible rows get a picture: there may be hundreds of parts.
         bool const seen = ImGui::IsRectVisible({scaled(tileOfCatalogue), scaled(tileOfCatalogue + 24)});
         TileUse const use = toolboxTile({.id = part.c_str(),
                                          .name = title.c_str(),

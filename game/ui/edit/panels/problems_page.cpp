@@ -12,7 +12,7 @@ namespace {
 using namespace render;
 using About = edit::Problem::About;
 
-/// Shows and selects what the problem is about.
+/// Shows and selects the entry at which the problem is.
 void showCulprit(EditParts& parts, edit::Problem const& problem) {
     std::string const index = std::to_string(problem.index.value_or(0));
     switch (problem.about) {

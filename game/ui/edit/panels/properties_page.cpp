@@ -226,7 +226,7 @@ void drawPlacing(EditParts& parts) {
     }
 }
 
-/// What the line at the bottom has, too: here it is reached by the keyboard.
+/// These are in the line at the bottom, too; here they can be reached by the keyboard.
 void drawToolSettings(EditParts& parts) {
     pageHeading(words::toolSettings);
     fieldName(words::gridStep, words::snapTip);

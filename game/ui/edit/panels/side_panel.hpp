@@ -23,12 +23,12 @@ void drawGoalsPage(EditParts& parts);
 /// scale 1.
 void drawLiveGoals(EditParts& parts, float top);
 void drawLevelPage(EditParts& parts);
-/// The section of the level's page about what a beginner is shown.
+/// The section of the level's page about the first lesson.
 void drawTeachingSteps(EditParts& parts);
-/// That about what the level says in other languages.
+/// The section about the level's texts in other languages.
 void drawTranslations(EditParts& parts);
 void drawSolutionsPage(EditParts& parts);
-/// See study/: what was found out about the level.
+/// The pages of the level's studies, see study/.
 void drawReportPage(EditParts& parts);
 void drawSearchPage(EditParts& parts);
 void drawProblemsPage(EditParts& parts);

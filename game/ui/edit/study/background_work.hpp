@@ -1,4 +1,4 @@
-// Work that takes long, beside the window: what it has found so far, how far it is, and how to stop it.
+// Work that takes long, beside the window: its results so far, its progress, and how to stop it.
 #pragma once
 
 #include "insight/spread/workers.hpp"
@@ -14,7 +14,7 @@
 
 namespace trembler::ui {
 
-/// The interface of all background work, whatever its result. Window thread only, except where stated.
+/// The interface of all background work, for results of any type. Window thread only, except where stated.
 class AnyWork {
 public:
     AnyWork() = default;
@@ -22,7 +22,7 @@ public:
     AnyWork(AnyWork const&) = delete;
     AnyWork& operator=(AnyWork const&) = delete;
 
-    /// No further piece of it is begun; what it has found stays. Returns at once.
+    /// No further piece of it is begun; its results so far remain. Returns at once.
     void stop() { stopAsked_ = true; }
     /// From any thread.
     [[nodiscard]] bool stopAsked() const { return stopAsked_; }
@@ -73,8 +73,8 @@ protected:
 template <class Result>
 class BackgroundWork final : public AnyWork {
 public:
-    /// Begins at once, in a thread of its own. `work` must own, or be outlived by, all that it uses; what it
-    /// returns, and what it passes to show() before, is the result.
+    /// Begins at once, in a thread of its own. `work` must own, or be outlived by, all that it uses; the
+    /// result is its return value and, before that, the values that it passes to show().
     explicit BackgroundWork(std::function<Result(BackgroundWork&)> work)
         : thread_([this, work = std::move(work)] {
               try {

@@ -5,7 +5,7 @@
 #include "game/ui/edit/study/study_words.hpp"
 #include "game/ui/shared/answer_language.hpp"
 #include "game/ui/shared/texts.hpp"
-#include "insight/why/words.hpp"
+#include "insight/why/words/words.hpp"
 #include "render/panels/cards.hpp"
 
 namespace trembler::ui {

@@ -8,7 +8,7 @@ namespace trembler::ui {
 
 /// The chain of causes of each goal, as sentences.
 void drawChains(EditParts& parts, insight::SolutionReport const& solution);
-/// For each kind from the second on, what sets it apart from the one nearest to it.
+/// For each kind from the second on, its differences from the kind nearest to it.
 void drawComparisons(EditParts& parts, insight::LevelReport const& report);
 
 } // namespace trembler::ui

@@ -1,4 +1,4 @@
-// Small pictures of what a search has found, each drawn once.
+// Small pictures of the solutions that a search has found, each drawn once.
 #pragma once
 
 #include "puzzle/session/session.hpp"
@@ -15,7 +15,7 @@ namespace trembler::ui {
 class FoundPictures {
 public:
     /// An OpenGL texture of the session as it is, `size` pixels; 0 if it cannot be drawn. `number` identifies
-    /// what was found. Draws into a framebuffer of its own: the caller binds its target again afterwards.
+    /// the solution. Draws into a framebuffer of its own: the caller binds its target again afterwards.
     [[nodiscard]] unsigned texture(render::Canvas& canvas, std::size_t number, Session const& session,
                                    render::Size size);
     /// Before the numbers mean others.

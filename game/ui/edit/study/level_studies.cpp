@@ -25,7 +25,7 @@ std::shared_ptr<Session const> momentOf(StudiedLevel const& of, insight::FoundSo
     }
 }
 
-/// Adds moments of what was found since, and shows it.
+/// Adds moments for the solutions found since, and shows them.
 void showSearch(BackgroundWork<SearchShown>& work, StudiedLevel const& of, SearchShown& shown,
                 SearchResult const& search) {
     shown.search = search;

@@ -51,7 +51,7 @@ void drawMoment(EditParts& parts, SearchShown const& shown, std::size_t index) {
     }
     float const width = ImGui::GetContentRegionAvail().x;
     float const height = std::round(width * 9 / 16);
-    // Only what is seen gets a picture.
+    // Only visible solutions get a picture.
     bool const seen = ImGui::IsRectVisible({width, height});
     Size const size{static_cast<int>(width), static_cast<int>(height)};
     unsigned const texture =

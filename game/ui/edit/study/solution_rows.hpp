@@ -8,8 +8,8 @@
 
 namespace trembler::ui {
 
-/// A row that can be chosen; when it is, what it needs and where its parts may lie. `index` is that in the
-/// report.
+/// A row that can be chosen; when it is, it shows the solution's needs and the places where its parts may
+/// lie. `index` is that in the report.
 void drawReportedSolution(EditParts& parts, insight::LevelReport const& report, std::size_t index);
 
 } // namespace trembler::ui

@@ -8,11 +8,12 @@
 
 namespace trembler::ui {
 
-/// A button that begins work, or stops it while it runs; below it what is being done, with a bar, and whether
+/// A button that begins work, or stops it while it runs; below it the current step, with a bar, and whether
 /// the work failed. `item` names the button in the layout. True when it is pressed.
 [[nodiscard]] bool drawWorkButton(EditParts& parts, AnyWork const* work, char const* label, char const* tip,
                                   std::string const& item);
-/// Says that what follows is of an older state of the level, or was stopped. Nothing if neither holds.
+/// Says that the results below are of an older state of the level, or incomplete because they were stopped.
+/// Nothing if neither holds.
 void drawStateOfWork(bool older, bool stopped);
 /// Wrapped text in the small font.
 void studyText(std::string const& text);

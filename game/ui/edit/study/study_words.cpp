@@ -12,7 +12,7 @@
 namespace trembler::ui::words {
 namespace {
 
-/// What follows a word and a blank; nothing if the text begins otherwise.
+/// The text after a word and a blank; nothing if the text begins otherwise.
 std::optional<std::string> behind(std::string const& text, std::string_view word) {
     if (text.size() > word.size() + 1 && text.starts_with(word) && text[word.size()] == ' ') {
         return text.substr(word.size() + 1);

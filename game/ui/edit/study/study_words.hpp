@@ -1,4 +1,4 @@
-// The texts of the pages on which the editor says what it has found out about the level.
+// The texts of the pages with the editor's studies of the level.
 #pragma once
 
 #include "game/ui/edit/edit_words.hpp"
@@ -154,7 +154,7 @@ inline char const* const& nothingPlaced = editWord("nothing placed");
 /// The work in progress, and how much of it is done.
 [[nodiscard]] std::string shownStep(std::string const& step, insight::WorkDone const& done);
 
-/// A shortcoming, and what to do about it.
+/// A shortcoming, and the remedy.
 struct ShownShortcoming {
     std::string what;
     char const* help = nullptr; ///< valid until useLanguage()

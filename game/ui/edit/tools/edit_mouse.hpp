@@ -31,7 +31,7 @@ public:
 
     /// Handles the mouse for one picture.
     void update(EditParts& parts);
-    /// Ends what goes on as if it had not begun. False if nothing went on.
+    /// Ends the present drag or selection as if it had not begun. False if there was none.
     bool cancel(EditParts& parts);
     /// The press in this picture took a part out of the catalogue.
     void tookPart() { tookPart_ = true; }

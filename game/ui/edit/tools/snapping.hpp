@@ -1,4 +1,4 @@
-// The grid of places and angles to which what the designer moves snaps.
+// The grid of places and angles to which moved objects snap.
 #pragma once
 
 #include "runtime/math/vec2.hpp"

@@ -94,7 +94,7 @@ void drawSelection(Canvas& canvas, EditParts const& parts, EditMouse const& mous
             drawMarkOf(canvas, parts, reader, name, whole);
             continue;
         }
-        // The others faintly: they are what is moved, the piece is what the panel is about.
+        // The objects faintly: they are moved, but the panel is about the piece.
         drawMarkOf(canvas, parts, reader, name, {.colour = whole.colour, .pixels = 1.5F, .alpha = 0.45F});
         ObjectId const id = parts.world.world()->store().find(name + " " + piece);
         if (id.valid() && reader.of(id).visible()) {
@@ -155,7 +155,7 @@ void drawLinks(Canvas& canvas, EditParts const& parts) {
     }
 }
 
-/// What would be drawn if the button were let go now.
+/// The object that would be made if the button were released now.
 void drawPreview(Canvas& canvas, EditParts& parts, EditMouse const& mouse) {
     using Doing = EditMouse::Doing;
     Stroke const stroke{.colour = palette::accent, .pixels = 2.5F, .alpha = 0.9F};
@@ -199,7 +199,7 @@ void drawPreview(Canvas& canvas, EditParts& parts, EditMouse const& mouse) {
     }
 }
 
-/// Numbers beside what is dragged.
+/// Numbers beside a dragged object.
 void drawNumbers(EditParts const& parts, EditMouse const& mouse) {
     using Doing = EditMouse::Doing;
     if (mouse.doing() == Doing::nothing || mouse.doing() == Doing::pressing ||

@@ -1,4 +1,4 @@
-// Draws the edited scene: the world as it starts, and what the designer does with it.
+// Draws the edited scene: the world at its start, and the marks of the designer's work on it.
 #pragma once
 
 #include "game/ui/edit/tools/edit_mouse.hpp"

@@ -37,13 +37,13 @@ void LiveGoals::prepare(World const& world) {
 void LiveGoals::follow(Session const& session) {
     World const& world = session.world();
     if (session.mode() == SessionMode::building) {
-        // Anew in every picture: another world may have come to lie where the last one did.
+        // Set up again in every picture: another world may be at the address of the last one.
         prepare(world);
         ready_ = true;
         return; // the states of the last run stay
     }
     if (!ready_) {
-        return; // the run began before anybody looked
+        return; // the run began before the first call
     }
     for (Judged& one : judged_) {
         one.judge->update(world);

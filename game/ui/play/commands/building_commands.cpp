@@ -8,7 +8,7 @@ namespace {
 
 using render::Icon;
 
-/// Whether keys act on what is chosen at the moment of a what-if.
+/// Whether keys act on the object chosen at the moment of a what-if.
 bool changesPast(PlayParts const& parts) {
     return parts.whatIf->atMoment();
 }

@@ -18,7 +18,7 @@ void openMenu(PlayParts& parts) {
 }
 
 /// Ends one thing: moving the view by keys, the use of the scissors, the carrying or choice of parts, the
-/// inspector, the computing of a what-if, the what-if. If none of these goes on, opens the menu.
+/// inspector, the computing of a what-if, the what-if. If there is none of these, opens the menu.
 void back(PlayParts& parts) {
     if (std::exchange(parts.movesView, false)) {
         return;

@@ -27,11 +27,11 @@ public:
         : saved_(saved), id_(std::move(levelId)), registry_(registry), session_(session), progress_(progress),
           load_(std::move(load)) {}
 
-    /// Looks at the files and at what has been found.
+    /// Looks at the files and at the solutions found so far.
     void refresh();
     [[nodiscard]] std::vector<Item> const& items() const { return items_; }
 
-    /// Places the solution in a file that somebody else may have made, and keeps a copy of it among the
+    /// Places the solution in a file, which may be another player's, and keeps a copy of it among the
     /// player's own. Returns a sentence for the player if it is no solution of this level, or cannot be kept;
     /// else an empty text.
     [[nodiscard]] std::string receive(std::filesystem::path const& file);

@@ -1,4 +1,4 @@
-// Saving what the player placed and did as a solution file.
+// Saving the player's placements and inputs as a solution file.
 #pragma once
 
 #include "game/ui/shared/kept/saved_solutions.hpp"

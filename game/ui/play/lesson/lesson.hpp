@@ -10,14 +10,14 @@
 
 namespace trembler::ui {
 
-/// With what the player does things, for the words of the lesson.
+/// The player's input device, for the words of the lesson.
 enum class InputDevice : std::uint8_t { mouse, keys, pad };
 
 /// The device of the last event of a player's; `before` if there is none among them.
 [[nodiscard]] InputDevice deviceOf(std::span<SDL_Event const> events, InputDevice before);
 
-/// Follows the session from picture to picture. A step is shown from when all before it are done until it is
-/// done itself, by whatever way. Window thread only.
+/// Follows the session from picture to picture. A step is shown once all steps before it are done, until it
+/// is done itself, in any way. Window thread only.
 class Lesson {
 public:
     /// A part that lies this near to the place where it is to go is there, m.

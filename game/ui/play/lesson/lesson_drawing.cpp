@@ -142,7 +142,7 @@ std::optional<ImVec2> screenOf(PlayParts const& parts, std::string const& name) 
     return pixelsOf(parts.camera().toScreen(parts.scene.poseOf(world, object, parts.run.alpha()).at));
 }
 
-/// What is shown of a step: where it begins and ends on the screen, what is to be pressed, and words.
+/// The drawing of a step: where it begins and ends on the screen, the button or key to press, and words.
 struct LessonShown {
     std::optional<ImVec2> from;
     std::optional<ImVec2> to;

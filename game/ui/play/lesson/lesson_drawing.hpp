@@ -7,8 +7,8 @@ namespace trembler::ui {
 
 /// The part where it is to go; between Canvas::begin and end.
 void drawLessonGhost(PlayParts& parts);
-/// The hand, the rings around what is to be pressed, and the words; between Gui::beginFrame and endFrame,
-/// after all cards.
+/// The hand, the rings around the button to press, and the words; between Gui::beginFrame and endFrame, after
+/// all cards.
 void drawLesson(PlayParts& parts);
 
 } // namespace trembler::ui

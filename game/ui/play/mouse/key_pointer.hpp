@@ -1,4 +1,4 @@
-// A pointer that keys or a gamepad move: it does on the field whatever the mouse does.
+// A pointer that keys or a gamepad move: it does everything on the field that the mouse does.
 #pragma once
 
 #include "game/ui/shared/pointer.hpp"

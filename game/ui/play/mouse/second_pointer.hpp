@@ -1,4 +1,4 @@
-// The pointer of a second player, who has a gamepad: it moves the second hand in a run.
+// The pointer of a second player, with a gamepad: it moves the second hand in a run.
 #pragma once
 
 #include "game/ui/shared/pointer.hpp"

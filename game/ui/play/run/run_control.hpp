@@ -1,4 +1,4 @@
-// Controls a level's run: when it begins and ends, how fast it goes, and what is called around each frame.
+// Controls a level's run: its begin and end, its speed, and the calls around each frame.
 #pragma once
 
 #include "game/budget/budget_mode.hpp"
@@ -44,10 +44,10 @@ public:
     void step();
     /// Ends the run: the world is again as it was placed.
     void stop();
-    /// Begins the last run again and repeats what the player did in it, with the detail levels and periods
+    /// Begins the last run again and repeats the player's inputs in it, with the detail levels and periods
     /// that it had.
     void watchAgain();
-    /// Begins the last run again with what was done in it, computes it up to that frame, without sound and as
+    /// Begins the last run again with the player's inputs, computes it up to that frame, without sound and as
     /// fast as it can in several pictures, and lets it run on from there as the player's own.
     void beginAgain(Playback done, std::uint64_t frame);
     /// From here on a run that is watched again is the player's own.

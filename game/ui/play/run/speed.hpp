@@ -38,8 +38,8 @@ public:
     [[nodiscard]] double alpha() const { return clock_.alpha(); }
     /// A run begins, or goes on after a pause.
     void reset();
-    /// Times real time at which the world really goes, over the last seconds; nothing while that is about as
-    /// fast as asked for, or not yet known.
+    /// The real speed of the world over the last seconds, as a multiple of real time; nothing if that is
+    /// about the requested speed, or not yet known.
     [[nodiscard]] std::optional<double> onlyReached() const;
 
 private:

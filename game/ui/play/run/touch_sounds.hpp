@@ -22,8 +22,8 @@ struct Touched {
     World const* world = nullptr;
 };
 
-/// Compares one picture with the one before, so that no tool has to know of sounds. Window thread only; the
-/// loudspeaker must outlive it.
+/// Compares one picture with the one before, so that the tools need no code for sounds. Window thread only;
+/// the loudspeaker must outlive it.
 class TouchSounds {
 public:
     explicit TouchSounds(Loudspeaker* loudspeaker) : loudspeaker_(loudspeaker) {}

@@ -1,4 +1,4 @@
-// What is plotted: the probes of the run, and those of a run beside it.
+// The plots: the probes of the run, and those of a run beside it.
 #include "game/ui/play/timeline/probe_panel.hpp"
 
 #include "insight/probe/plot.hpp"

@@ -28,8 +28,8 @@ public:
     void toggle(std::string const& what);
     void removeAll();
     [[nodiscard]] insight::Probes const& probes() const { return probes_; }
-    /// What can be plotted of an object of the shown world: the usual quantities that it has, then all its
-    /// numbers.
+    /// The quantities of an object of the shown world that can be plotted: the usual quantities that it has,
+    /// then all its numbers.
     [[nodiscard]] std::vector<Quantity> quantitiesOf(World const& world, std::string const& object) const;
 
     /// Reads on in the recording; true if frames were read, so that there is something new to see.

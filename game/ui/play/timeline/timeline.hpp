@@ -33,8 +33,8 @@ public:
     void afterStep();
     /// The run has ended.
     void stopped();
-    /// The run begins again and is computed up to the shown frame, which stays in sight until then; what came
-    /// later is forgotten.
+    /// The run begins again and is computed up to the shown frame, which stays in sight until then; later
+    /// frames are forgotten.
     void beginAgain();
     /// Whether the run is being computed again.
     [[nodiscard]] bool beginningAgain() const { return target_.has_value(); }
@@ -47,7 +47,7 @@ public:
 
     /// Height of the bar and of the plots above it, if they are open, pixels at UI scale 1.
     [[nodiscard]] float height() const;
-    /// Height of what is drawn between the bar and the plots, pixels at UI scale 1; 0: nothing.
+    /// Height of the drawing between the bar and the plots, pixels at UI scale 1; 0: none.
     void setLane(float height) { lane_ = height; }
     [[nodiscard]] float lane() const { return lane_; }
     /// The numbers that are plotted above the bar.
@@ -73,7 +73,7 @@ public:
     /// To the next or the last mark before the shown frame; false if there is none.
     bool seekMark(bool forwards);
 
-    // Playing what was recorded.
+    // Playing the recording.
     [[nodiscard]] bool playing() const { return playing_; }
     /// Whether the next picture shows something new without any input.
     [[nodiscard]] bool moving() const { return playing_ || reading_ || target_.has_value(); }

@@ -41,7 +41,7 @@ private:
     render::Size window_;                       ///< of which the cards are
     double scale_ = 0;                          ///< of the interface
     float timeline_ = 0;                        ///< its height, pixels at UI scale 1
-    std::vector<render::Extent> extents_;       ///< of what is to be seen
+    std::vector<render::Extent> extents_;       ///< of the objects that must be visible
     bool toolbox_ = true; ///< it counts: not beside a card that was opened in a run, which hides it
     bool wasBuilding_ = true;
 };

@@ -5,7 +5,7 @@
 namespace trembler::ui {
 
 void SoundView::beforeStep(World const& world) {
-    if (!sounds_ || world.frame() == 0) { // the last world is gone, or this one begins
+    if (!sounds_ || world.frame() == 0) { // the last world no longer exists, or this one begins
         rings_.clear();
         sounds_ = world.want<Sounds>();
     }

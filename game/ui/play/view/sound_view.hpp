@@ -17,7 +17,7 @@ public:
     void beforeStep(World const& world);
     /// To be called directly after it.
     void afterStep(World const& world);
-    /// The rings as they are now; none once the world is gone.
+    /// The rings as they are now; none once the world no longer exists.
     [[nodiscard]] std::vector<render::Ripple> ripples() const;
 
 private:

@@ -1,4 +1,4 @@
-// How many frames of another run are computed in one picture, so that the window goes on moving.
+// How many frames of another run are computed in one picture, so that the window keeps moving.
 #pragma once
 
 #include <algorithm>
@@ -7,7 +7,8 @@
 namespace trembler::ui {
 
 /// Divides the work of a picture into batches: their sizes follow from what the frames before have cost.
-/// Reads no clock itself. What is computed does not depend on it, only when. Any thread, one at a time.
+/// Reads no clock itself. The results do not depend on it, only the time at which they are computed. Any
+/// thread, one at a time.
 class PicturePace {
 public:
     static constexpr double budget = 8e-3;          ///< s in one picture

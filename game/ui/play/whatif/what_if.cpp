@@ -153,7 +153,7 @@ void WhatIfView::pass() {
         drop();
         return;
     }
-    // At frame 0 it has begun with its last world, before what it is shown on is built.
+    // At frame 0 it has begun with its last world, before the stage that shows it is built.
     if (next_ && worldsBuilt_ == worldsToBuild && next_->begun()) {
         shown_ = std::move(next_);
         stage_ = std::move(nextStage_);

@@ -58,7 +58,7 @@ public:
     [[nodiscard]] std::vector<insight::SettableField> fieldsOf(std::string const& object);
 
     /// Once per picture: computes on, for a few milliseconds at most, or builds one world: the real run once
-    /// more, the other run, and what it is shown on. While changes come in every picture, it waits.
+    /// more, the other run, and the stage that shows it. While changes come in every picture, it waits.
     void pass();
     /// Whether the next picture may show something new without any input.
     [[nodiscard]] bool moving() const { return moving_; }
@@ -69,7 +69,7 @@ public:
     static constexpr int worldsToBuild = insight::OtherRun::worlds + 1;
     /// How far it has been computed, 0 to 1.
     [[nodiscard]] double progress() const;
-    /// Computes no further until goOn(), or another change; what is known by then stays to be seen.
+    /// Computes no further until goOn(), or another change; its frames so far can still be seen.
     void stop() { stopped_ = working(); }
     void goOn() { stopped_ = false; }
     /// Whether it is not computed further although there is more.

@@ -22,7 +22,7 @@ using insight::Change;
 
 // Pixels at UI scale 1.
 constexpr float whatIfWidth = 300;
-constexpr float whatIfList = 132; ///< height of what scrolls, if there is room
+constexpr float whatIfList = 132; ///< height of the list that scrolls, if there is room
 constexpr float leastList = 64;
 constexpr float whatIfRest = 206; ///< height of the rest of the card, and a gap
 
@@ -52,7 +52,7 @@ std::optional<std::size_t> placeOfChange(insight::WhatIf const& whatIf, Change::
 }
 
 void drawLeavingOut(Layout& layout, Session const& session, WhatIfView& view) {
-    std::vector<std::size_t> later; // what the hands did after the moment
+    std::vector<std::size_t> later; // inputs of the hands after the moment
     for (std::size_t i = 0; i < session.inputs().size(); ++i) {
         RecordedInput const& input = session.inputs()[i];
         bool const begins = input.kind != PlayerInput::Kind::move && input.kind != PlayerInput::Kind::release;
@@ -101,7 +101,7 @@ void drawLeavingOut(Layout& layout, Session const& session, WhatIfView& view) {
 
 void drawChanges(Layout& layout, Session const& session, WhatIfView& view) {
     std::optional<std::size_t> back;
-    bool hands = false; // what they do is one line, however much it is
+    bool hands = false; // all their inputs together are one line
     for (std::size_t i = 0; i < view.whatIf().changes.size(); ++i) {
         Change const& change = view.whatIf().changes[i];
         if (change.kind == Change::Kind::input && std::exchange(hands, true)) {

@@ -1,4 +1,4 @@
-// The card of a what-if: what is changed, what else can be, and what becomes of it.
+// The card of a what-if: its changes, further possible changes, and their consequences.
 #pragma once
 
 #include "game/ui/play/whatif/what_if_tool.hpp"

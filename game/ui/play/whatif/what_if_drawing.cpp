@@ -34,7 +34,7 @@ void drawGhostOf(Canvas& canvas, Facts const& facts, Pose const& pose) {
     }
 }
 
-/// A cross over what the other run does not have any more.
+/// A cross over objects that no longer exist in the other run.
 void drawGone(Canvas& canvas, Facts const& facts) {
     Extent const extent = extentOf(facts, poseOf(facts));
     if (extent.empty()) {

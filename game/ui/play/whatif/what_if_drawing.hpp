@@ -1,4 +1,4 @@
-// The other run in the scene: what is elsewhere in it, as a ghost, and its way there.
+// The other run in the scene: objects that are elsewhere in it, as ghosts, and their paths.
 #pragma once
 
 #include "game/ui/play/whatif/what_if_tool.hpp"

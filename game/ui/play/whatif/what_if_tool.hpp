@@ -42,7 +42,7 @@ public:
     [[nodiscard]] std::optional<Drag> const& drag() const { return drag_; }
 
     /// Whether the card of the what-if has the keyboard, and the buttons of a gamepad: arrows move a ring
-    /// among what is on it.
+    /// among its elements.
     [[nodiscard]] bool cardHasKeys() const { return cardKeys_ && view_.active(); }
     void giveCardKeys(bool give) { cardKeys_ = cardKeysNew_ = give; }
     /// Whether the ring has to be put on the card; once after giveCardKeys().

@@ -60,7 +60,7 @@ std::string wordsOf(insight::Change const& change, World const& world) {
         break;
     }
     std::string property = spokenField(change.property);
-    std::string amount = readable(change.amount.x); // of an object that is gone by now
+    std::string amount = readable(change.amount.x); // of an object that no longer exists
     for (insight::SettableField const& field :
          insight::settableFields(world, world.store().find(change.object))) {
         if (field.property->text.key == change.property) {

@@ -13,7 +13,7 @@
 
 namespace trembler::ui {
 
-/// A run as it can be repeated: its level, what was placed and done in it, and how long it was.
+/// A run as it can be repeated: its level, the placements and inputs, and its length.
 struct RunAsked {
     LevelFile level;
     Solution solution;
@@ -37,7 +37,7 @@ public:
     };
 
     void ask(RunAsked run, insight::Question question);
-    /// Ends the question with what it has by now; take() has that soon.
+    /// Ends the question with its results so far, which take() returns soon.
     void stop();
     /// Ends it and forgets it.
     void forget();
@@ -47,7 +47,7 @@ public:
         clearForgotten(false);
         return busy() || !forgotten_.empty();
     }
-    /// The answer, once; nothing while it goes on.
+    /// The answer, once; nothing while it is computed.
     [[nodiscard]] std::optional<Found> take();
     struct Progress {
         std::size_t done = 0; ///< runs

@@ -223,7 +223,7 @@ std::optional<std::uint64_t> WhyPanel::draw(Layout& layout, float top, float hei
     if (inquiry_.busy()) {
         drawWaiting(layout);
     } else if (answer_) {
-        // What does not fit scrolls: its height is that of the last picture.
+        // Text that does not fit scrolls; the height used is that of the last picture.
         float& content = *ImGui::GetStateStorage()->GetFloatRef(ImGui::GetID("height of the content"), 0);
         float const most = std::max(scaled(height) - used, scaled(80));
         bool const scrolls = content > most;

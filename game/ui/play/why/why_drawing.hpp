@@ -10,10 +10,10 @@ namespace trembler::ui {
 
 /// The objects in `world` of the step that is looked at; of a miss, the objects that the miss is about.
 [[nodiscard]] std::vector<ObjectId> objectsOfStep(WhyPanel const& panel, World const& world);
-/// Rings where the steps happened, with arrows from causes to effects; of a miss, dashed lines along what was
-/// missing. Before Canvas::end.
+/// Rings where the steps happened, with arrows from causes to effects; of a miss, dashed lines along the
+/// missing distances. Before Canvas::end.
 void drawWhy(render::Canvas& canvas, WhyPanel const& panel);
-/// The numbers of the steps, and what was missing. Between Gui::beginFrame and endFrame.
+/// The numbers of the steps, and the missing quantities. Between Gui::beginFrame and endFrame.
 void drawWhyWords(render::Camera const& camera, double uiScale, WhyPanel const& panel);
 
 } // namespace trembler::ui

@@ -12,7 +12,7 @@ namespace {
 using insight::MarkKind;
 using insight::StepKind;
 
-/// What the event of a mark may be.
+/// The possible kinds of event at a mark.
 std::vector<StepKind> kindsOf(MarkKind kind) {
     switch (kind) {
     case MarkKind::contact:
@@ -23,7 +23,7 @@ std::vector<StepKind> kindsOf(MarkKind kind) {
         return {StepKind::on, StepKind::magnetOn};
     case MarkKind::off:
         return {StepKind::off, StepKind::magnetOff};
-    case MarkKind::sound: // what struck it, or switched it on
+    case MarkKind::sound: // the impact, or the switching, that caused it
         return {StepKind::contact, StepKind::on, StepKind::other};
     case MarkKind::cut:
         return {StepKind::cut, StepKind::removed};
@@ -164,7 +164,7 @@ void WhyPanel::pass() {
     fault_ = std::move(found->fault);
     answer_ = std::move(found->answer);
     if (answer_ && !answer_->complete && !answer_->happened) {
-        close(); // it was stopped before it knew anything
+        close(); // it was stopped before it had any result
     }
 }
 

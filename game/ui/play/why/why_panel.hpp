@@ -5,7 +5,7 @@
 #include "game/ui/shared/answer_language.hpp"
 #include "game/ui/shared/layout.hpp"
 #include "insight/timeline/marks.hpp"
-#include "insight/why/words.hpp"
+#include "insight/why/words/words.hpp"
 #include "puzzle/session/session.hpp"
 
 #include <optional>
@@ -43,7 +43,7 @@ public:
     // The card.
     [[nodiscard]] bool open() const { return open_; }
     void close();
-    /// Ends a question that goes on, with what it has; else closes the card.
+    /// Ends a running question with its results so far; else closes the card.
     void stopOrClose();
     /// Whether the next picture may show something new without any input.
     [[nodiscard]] bool busy() const { return inquiry_.busy(); }
@@ -60,7 +60,7 @@ public:
     [[nodiscard]] insight::Answer const* answer() const { return answer_ ? &*answer_ : nullptr; }
     /// Whether nothing that can be explained has happened to the object or goal in question.
     [[nodiscard]] bool nothing() const { return nothing_; }
-    /// The text of the card: each step of the chain, or what the nearest miss was.
+    /// The text of the card: each step of the chain, or the nearest miss.
     [[nodiscard]] std::vector<std::string> lines() const;
     /// The index of the step that is looked at, among the steps of lines(); a miss is step 0.
     [[nodiscard]] std::optional<std::size_t> step() const { return step_; }

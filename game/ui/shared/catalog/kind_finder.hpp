@@ -24,7 +24,7 @@ public:
     /// looked at, does nothing: the same level will be solved again.
     void look(std::string levelId, std::shared_ptr<GameData const> data, Registry const& registry,
               PartLibrary const& parts, LevelFile level, Solution solution, std::uint64_t frames);
-    /// The result of look(), once; nothing while it goes on, or if the run could not be repeated.
+    /// The result of look(), once; nothing while it is computed, or if the run could not be repeated.
     [[nodiscard]] std::optional<Found> take();
     [[nodiscard]] bool busy() const { return future_.valid(); }
     /// Waits until take() has a result, for tests.

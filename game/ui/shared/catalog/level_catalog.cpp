@@ -21,7 +21,7 @@ bool isDigit(char c) {
     return std::isdigit(static_cast<unsigned char>(c)) != 0;
 }
 
-/// What levels are read with: loaded once for all in a folder that name the same mods.
+/// The data with which levels are read: loaded once for all levels of a folder that name the same mods.
 class DataOfLevels {
 public:
     DataOfLevels(Registry const& registry, CatalogMods const& mods) : registry_(registry), mods_(mods) {}

@@ -30,7 +30,7 @@ bool phasesMeet(CommandInfo const& a, CommandInfo const& b) {
     return a.padPhase == b.padPhase || a.padPhase == PadPhase::always || b.padPhase == PadPhase::always;
 }
 
-/// How well a command fits what buttons mean at present; negative: not at all.
+/// How well a command fits the present meaning of buttons; negative: not at all.
 int padRank(CommandSet const& commands, std::size_t index) {
     PadPhase const own = commands.info(index).padPhase;
     PadPhase const now = commands.phase();

@@ -1,4 +1,4 @@
-// Writes what the player keeps: clips and single pictures.
+// Writes the player's clips and single pictures.
 #pragma once
 
 #include "render/gl/image.hpp"

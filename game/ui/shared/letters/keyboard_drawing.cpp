@@ -19,7 +19,7 @@ constexpr float widestKeyboard = 660;
 constexpr float highestKey = 42;
 constexpr float keyGap = 4;
 
-/// What is not a letter on a key.
+/// The signs on keys that are not letters.
 char const* signOf(LetterKey const& key, KeyPage page) {
     switch (key.act) {
     case KeyAct::shift:

@@ -13,12 +13,12 @@ struct ShownKeyboard {
     std::span<LetterKey const> keys;
     std::size_t chosen = 0;
     KeyPage page = KeyPage::letters;
-    std::string before; ///< what is typed, in front of the cursor; UTF-8, one line
+    std::string before; ///< the typed text in front of the cursor; UTF-8, one line
     std::string behind;
 };
 
-/// A card at the bottom of the window, over all others, with what is typed above the keys: the field may be
-/// beneath it. Between Gui::beginFrame and endFrame.
+/// A card at the bottom of the window, over all others, with the typed text above the keys, as the field may
+/// be beneath it. Between Gui::beginFrame and endFrame.
 void drawKeyboard(Layout& layout, ShownKeyboard const& shown);
 
 } // namespace trembler::ui

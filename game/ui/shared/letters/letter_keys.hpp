@@ -12,7 +12,7 @@ enum class KeyAct : std::uint8_t { type, shift, signs, blank, newLine, left, rig
 
 struct LetterKey {
     KeyAct act = KeyAct::type;
-    std::string text;    ///< UTF-8; what KeyAct::type types
+    std::string text;    ///< UTF-8; the text that KeyAct::type types
     std::size_t row = 0; ///< from the top
     double left = 0;     ///< of its row, in widths of a letter
     double width = 1;

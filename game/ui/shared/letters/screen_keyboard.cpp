@@ -180,7 +180,7 @@ void ScreenKeyboard::act(LetterKey const& key, SDL_Keycode pad, render::InputEve
     case KeyAct::done:
         if (lines_) {
             leave_ = true;
-        } else if (!waited_) { // a list goes on with what was typed
+        } else if (!waited_) { // a list continues with the typed text
             holdKey(SDLK_RETURN, 0, input);
         }
         hide();
@@ -261,7 +261,7 @@ void ScreenKeyboard::takeInput(render::InputEvents& input, double seconds) {
     if (hands && open_) {
         hide();
     }
-    // A player who used the keyboard may use the gamepad again: then its button only opens this.
+    // After the keyboard the player may use the gamepad again: then its button only opens this.
     bool const opens = !open_ && pad && byPad_ && fieldInUse() != nullptr && (!waited_ || asked);
     if (!open_ && !opens) {
         return;

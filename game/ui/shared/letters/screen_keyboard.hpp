@@ -15,7 +15,7 @@ namespace trembler::ui {
 /// Opens when a field gets the keys by a gamepad, and closes when it loses them, or when a real key or the
 /// mouse is used. While it is open the gamepads' buttons act on it alone: the directional pad moves, A
 /// presses a key, X deletes, Y is a blank, L1 and R1 move the cursor, L2 and R2 turn to capitals and signs,
-/// Start ends the typing, B gives it up. What is typed reaches the field as if it came from a real keyboard,
+/// Start ends the typing, B gives it up. The typed text reaches the field as if it came from a real keyboard,
 /// and nothing else. Window thread only.
 class ScreenKeyboard {
 public:
@@ -65,7 +65,7 @@ private:
     };
 
     bool open_ = false;
-    bool byPad_ = false;  // what was used last
+    bool byPad_ = false;  // the device used last
     bool waits_ = false;  // of this picture
     bool waited_ = false; // of the last one
     bool leave_ = false;  // the field of several lines, which Enter does not end

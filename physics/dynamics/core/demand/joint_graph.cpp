@@ -99,7 +99,7 @@ private:
             finished_.push_back(at);
             Node& parent = nodes_[node.from];
             parent.low = std::min(parent.low, node.low);
-            if (node.from != ground_) { // the ground does not add up what it carries
+            if (node.from != ground_) { // the ground does not add up the masses that it carries
                 parent.mass += node.mass;
                 parent.moment += node.moment;
                 parent.force += node.force;

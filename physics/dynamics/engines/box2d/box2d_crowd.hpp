@@ -23,7 +23,7 @@ public:
 
 private:
     struct Crowd {
-        int atMost = 0;           // contacts with others that move: as last counted, and what was made since
+        int atMost = 0; // contacts with other movable bodies: the last count, and the contacts made since
         std::uint64_t fullIn = 0; // the turn in which they were counted as the most that may be
     };
     [[nodiscard]] Crowd& crowdOf(b2Body* body);

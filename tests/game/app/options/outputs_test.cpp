@@ -227,6 +227,9 @@ TEST_F(Outputs, HaveOneConvention) {
     std::string const schema = runProgram({"schema"}).out;
     EXPECT_TRUE(json::accept(schema));
     EXPECT_EQ(runProgram({"schema", "--json"}).out, schema);
+    EXPECT_EQ(runProgram({"schema", "level"}).out, schema);
+    EXPECT_NE(runProgram({"schema", "part"}).out.find("A part of Trembler"), std::string::npos);
+    EXPECT_EQ(runProgram({"schema", "lesson"}).status, 2);
     EXPECT_EQ(runProgram({"schema", "--json", "-"}).out, schema);
     EXPECT_EQ(runProgram({"schema", "--json", at("schema.json")}).out, "");
     EXPECT_EQ(contentsOf(at("schema.json")), schema);

@@ -1,4 +1,4 @@
-// What makes frames long is told: bodies in one place before the first frame, by run and by verify.
+// The causes of long frames are reported: bodies in one place before the first frame, by run and by verify.
 #include "tests/game/app/program.hpp"
 #include "tests/support/boxes.hpp"
 

@@ -4,6 +4,7 @@
 #include "game/ui/shared/words.hpp"
 #include "runtime/level/read/read_level.hpp"
 #include "tests/game/ui/player.hpp"
+#include "tests/support/read_png.hpp"
 
 #include <fstream>
 #include <set>

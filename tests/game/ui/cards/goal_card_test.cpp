@@ -1,5 +1,5 @@
 // The card of the goals: no number is broken across lines, and its heading does not scroll away.
-#include "game/ui/app/settings_page.hpp"
+#include "game/ui/app/menu/settings_page.hpp"
 #include "game/ui/shared/texts.hpp"
 #include "tests/game/ui/drawn_text.hpp"
 #include "tests/game/ui/player.hpp"

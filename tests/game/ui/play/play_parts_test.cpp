@@ -1,4 +1,4 @@
-// What the player is told when a level is opened.
+// The messages to the player when a level is opened.
 #include "game/ui/play/play_parts.hpp"
 #include "game/ui/shared/texts.hpp"
 #include "tests/game/ui/player.hpp"

@@ -1,6 +1,7 @@
 // Looking into the world while it runs, with real input events: the inspector, panels, overlays, hints, clips
 // and pictures.
 #include "tests/game/ui/player.hpp"
+#include "tests/support/read_png.hpp"
 
 namespace trembler::ui::test {
 namespace play_screen_looking_test {

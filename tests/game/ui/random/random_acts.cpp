@@ -1,6 +1,6 @@
 // What a random player does: one function for each kind of event.
-#include "render/window/synthetic_input.hpp"
 #include "tests/game/ui/random/random_player.hpp"
+#include "tests/support/synthetic_input.hpp"
 
 #include <fmt/format.h>
 

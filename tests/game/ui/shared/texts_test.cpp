@@ -1,5 +1,5 @@
 // The texts of the screens: complete in every language, none unused.
-#include "game/ui/app/title_screen.hpp"
+#include "game/ui/app/title/title_screen.hpp"
 #include "game/ui/play/commands/play_commands.hpp"
 #include "game/ui/play/play_parts.hpp"
 #include "game/ui/shared/commands/chord.hpp"

@@ -1,7 +1,7 @@
 // The game in German: whatever it draws on any of its screens, by any of its ways to draw, is not English.
 // What levels, parts and mods say is theirs, as far as their files have no German.
-#include "game/ui/app/settings_page.hpp"
-#include "game/ui/app/title_screen.hpp"
+#include "game/ui/app/menu/settings_page.hpp"
+#include "game/ui/app/title/title_screen.hpp"
 #include "game/ui/shared/texts.hpp"
 #include "tests/game/ui/drawn_words.hpp"
 #include "tests/game/ui/readable.hpp"

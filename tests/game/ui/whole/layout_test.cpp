@@ -1,6 +1,6 @@
 // Every screen at every size of the window and of the letters: no words and no buttons lie on each other,
 // nothing is outside the window, no letter is cut, no number is broken across lines.
-#include "game/ui/app/settings_page.hpp"
+#include "game/ui/app/menu/settings_page.hpp"
 #include "game/ui/shared/texts.hpp"
 #include "tests/game/ui/readable.hpp"
 #include "tests/game/ui/screen_walk.hpp"

@@ -1,7 +1,7 @@
 // The title and every page of the menu, from small to large windows, with small and with large letters, in
 // every language: nothing overlaps, nothing is cut off; and a picture of each for people to look at.
-#include "game/ui/app/settings_page.hpp"
-#include "game/ui/app/title_screen.hpp"
+#include "game/ui/app/menu/settings_page.hpp"
+#include "game/ui/app/title/title_screen.hpp"
 #include "game/ui/shared/texts.hpp"
 #include "tests/game/ui/tidy.hpp"
 

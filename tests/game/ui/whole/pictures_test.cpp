@@ -1,6 +1,7 @@
 // Every screen at a small and at a large size: cards do not overlap, nothing is cut off; and a picture of
 // each for people to look at.
 #include "tests/game/ui/tidy.hpp"
+#include "tests/support/read_png.hpp"
 
 namespace trembler::ui::test {
 namespace {

@@ -228,7 +228,7 @@ int newPictures(Player& player) {
 TEST(AtRest, NothingIsDrawnOnAnyScreen) {
     Player player;
     auto const expectRest = [&](char const* screen) {
-        player.frames(240); // what moves comes to rest, what is to be told has been told
+        player.frames(240); // objects come to rest, and messages disappear
         EXPECT_EQ(newPictures(player), 0) << screen;
     };
     expectRest("title");

@@ -2,9 +2,10 @@
 //
 // With TREMBLER_STORE_PICTURES in the environment the pictures are written there again instead:
 // docs/contributors.md.
-#include "game/ui/app/settings_page.hpp"
+#include "game/ui/app/menu/settings_page.hpp"
 #include "tests/game/ui/screen_walk.hpp"
 #include "tests/game/ui/stored_picture.hpp"
+#include "tests/support/read_png.hpp"
 
 #include <SDL_clipboard.h>
 

@@ -1,6 +1,6 @@
 // Counting of connections, the objects that may have them, and their history in a trace.
-#include "physics/electricity/rules/initial_connections.hpp"
 #include "tests/physics/electricity/circuit_world.hpp"
+#include "tests/support/initial_wire.hpp"
 
 #include <gtest/gtest.h>
 

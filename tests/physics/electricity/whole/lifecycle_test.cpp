@@ -1,7 +1,7 @@
 // Sleeping, swapping, threads, created and destroyed objects, and size.
 #include "physics/electricity/core/graph_changes.hpp"
-#include "physics/electricity/rules/initial_connections.hpp"
 #include "tests/physics/electricity/circuit_world.hpp"
+#include "tests/support/initial_wire.hpp"
 #include "tests/support/sanitizer.hpp"
 
 #include <gtest/gtest.h>

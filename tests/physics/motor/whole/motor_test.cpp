@@ -3,11 +3,11 @@
 #include "physics/dynamics/properties/joint.hpp"
 #include "physics/dynamics/properties/shapes/mass_properties.hpp"
 #include "physics/electricity/properties/electrical.hpp"
-#include "physics/electricity/rules/initial_connections.hpp"
 #include "physics/motor/electricity_from_rotation.hpp"
 #include "physics/register_physics.hpp"
 #include "runtime/placement.hpp"
 #include "runtime/world/world.hpp"
+#include "tests/support/initial_wire.hpp"
 
 #include <gtest/gtest.h>
 

@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace trembler::edit {
 namespace properties_test {
@@ -71,7 +72,7 @@ TEST(PieceCommands, ChangeWhatFilesStateAboutPieces) {
     EXPECT_FALSE(entryOf(document, "front").contains("pieces"));
     document.goTo(steps);
     EXPECT_EQ(document.text(), before);
-    document.goTo(document.history().size());
+    document.goTo(std::numeric_limits<std::size_t>::max());
     EXPECT_FALSE(entryOf(document, "back").contains("pieces"));
 }
 

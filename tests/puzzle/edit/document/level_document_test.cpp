@@ -48,12 +48,13 @@ TEST(LevelDocument, JoinsTheCommandsOfAGesture) {
     for (double x : {0.5, 1.0, 1.5}) {
         document.run(moveObjects(editData(), document.tree(), {"ball"}, {x, 0}), drag);
     }
-    EXPECT_EQ(document.history(), std::vector<std::string>{"Move ball"});
+    EXPECT_EQ(document.done(), 1U);
+    EXPECT_EQ(document.undoName(), "Move ball");
     EXPECT_EQ(document.tree()["objects"][3]["at"], Json::array({1.5, 3}));
     Gesture const keys{document.newGesture(), Gesture::Next::adds};
     document.run(moveObjects(editData(), document.tree(), {"ball"}, {0, 1}), keys);
     document.run(moveObjects(editData(), document.tree(), {"ball"}, {0, 1}), keys);
-    EXPECT_EQ(document.history().size(), 2U);
+    EXPECT_EQ(document.done(), 2U);
     EXPECT_EQ(document.tree()["objects"][3]["at"], Json::array({1.5, 5}));
     document.goTo(0);
     EXPECT_EQ(document.text(), smallLevel());
@@ -127,7 +128,6 @@ TEST(LevelDocument, SavesWithoutLosingAnothersChanges) {
     EXPECT_FALSE(document.modified());
 
     writeText(file, "theirs");
-    EXPECT_TRUE(document.changedOnDisk());
     document.run(setTitle(document.tree(), "mine again"));
     EXPECT_EQ(document.save().kind, SaveResult::Kind::conflict);
     EXPECT_EQ(fileText(file), "theirs");

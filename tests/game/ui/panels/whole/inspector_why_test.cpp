@@ -1,5 +1,5 @@
 // The button by which the inspector asks why its object is as it is, with real input events.
-#include "game/ui/app/settings_page.hpp"
+#include "game/ui/app/menu/settings_page.hpp"
 #include "game/ui/play/why/why_panel.hpp"
 #include "tests/game/ui/player.hpp"
 #include "tests/game/ui/tidy.hpp"

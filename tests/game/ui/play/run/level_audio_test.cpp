@@ -1,6 +1,6 @@
 // The output to the loudspeakers, with real input events.
 #include "audio/device/loudspeaker.hpp"
-#include "game/ui/app/settings_page.hpp"
+#include "game/ui/app/menu/settings_page.hpp"
 #include "tests/game/ui/player.hpp"
 
 #include <algorithm>

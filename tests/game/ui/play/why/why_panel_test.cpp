@@ -1,5 +1,5 @@
 // A newcomer asks why, by mouse, keyboard and gamepad, and gets the answer of insight/why.
-#include "game/ui/app/settings_page.hpp"
+#include "game/ui/app/menu/settings_page.hpp"
 #include "game/ui/play/why/why_panel.hpp"
 #include "tests/game/ui/player.hpp"
 #include "tests/game/ui/tidy.hpp"

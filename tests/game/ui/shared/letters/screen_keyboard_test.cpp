@@ -1,5 +1,5 @@
 // Texts and numbers by a gamepad alone, with real events of a gamepad, in fields of menus and of the editor.
-#include "game/ui/app/settings_page.hpp"
+#include "game/ui/app/menu/settings_page.hpp"
 #include "game/ui/shared/letters/screen_keyboard.hpp"
 #include "tests/game/ui/edit/editor_kit.hpp"
 #include "tests/game/ui/shared/letters/pad_typist.hpp"

@@ -1,0 +1,187 @@
+#include "insight/miss/current/circuit_gaps.hpp"
+
+#include "insight/miss/current/two_paths.hpp"
+#include "physics/dynamics/properties/shapes/overlap.hpp"
+#include "physics/electricity/properties/electrical.hpp"
+#include "physics/electricity/properties/graph.hpp"
+#include "physics/electricity/properties/scene_level.hpp"
+#include "runtime/placement.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace trembler::insight {
+namespace {
+
+/// A gap costs at least this, in m: a touch that conducts nothing is worse than a connection.
+constexpr double leastGapCost = 1e-4;
+
+template <class P>
+P const* entryOf(Store const& store, ObjectId id) {
+    auto const* const column = store.findColumn<P>();
+    return column == nullptr ? nullptr : column->find(id);
+}
+
+template <class P>
+std::uint64_t versionOf(Store const& store) {
+    auto const* const column = store.findColumn<P>();
+    return column == nullptr ? 0 : column->version() + column->structureVersion();
+}
+
+/// A conductor with a shape, as it lies.
+struct PlacedConductor {
+    PlacedShape placed;
+    Vec2 lower; ///< m, of the upright rectangle around it
+    Vec2 upper;
+};
+
+std::optional<PlacedConductor> placedConductorOf(Store const& store, ObjectId id) {
+    Shape const* const shape = entryOf<Shape>(store, id);
+    Position const* const position = entryOf<Position>(store, id);
+    if (shape == nullptr || position == nullptr || shape->pieces.empty()) {
+        return std::nullopt;
+    }
+    Rotation const* const rotation = entryOf<Rotation>(store, id);
+    PlacedShape const placed{*shape, position->value, rotation == nullptr ? 0 : rotation->angle};
+    auto const [lower, upper] = extentOf(placed);
+    return PlacedConductor{placed, lower, upper};
+}
+
+/// No more than the distance of the two.
+double leastDistance(PlacedConductor const& a, PlacedConductor const& b) {
+    double const x = std::max({0.0, a.lower.x - b.upper.x, b.lower.x - a.upper.x});
+    double const y = std::max({0.0, a.lower.y - b.upper.y, b.lower.y - a.upper.y});
+    return std::hypot(x, y);
+}
+
+std::vector<std::string> networksOf(Store const& store) {
+    std::set<std::string> names;
+    if (auto const* const sources = store.findColumn<ElectricalSource>()) {
+        for (ElectricalSource const& source : sources->values()) {
+            names.insert(source.network);
+        }
+    }
+    return {names.begin(), names.end()};
+}
+
+} // namespace
+
+void CircuitSight::look(World const& world) {
+    Store const& store = world.store();
+    std::uint64_t const positions = versionOf<Position>(store);
+    std::uint64_t const rotations = versionOf<Rotation>(store);
+    std::uint64_t const graph = versionOf<ElectricityGraph>(store);
+    bool const still = positions == positions_ && rotations == rotations_;
+    if (known_ && graph == graph_ && (still || world.frame() < lookedIn_ + patience)) {
+        return;
+    }
+    known_ = true;
+    lookedIn_ = world.frame();
+    positions_ = positions;
+    rotations_ = rotations;
+    graph_ = graph;
+    cuts_.clear();
+    links_.clear();
+    conductors_.clear();
+    if (auto const* const column = store.findColumn<Conductor>()) {
+        conductors_.assign(column->owners().begin(), column->owners().end());
+    }
+    std::vector<std::optional<PlacedConductor>> placed;
+    placed.reserve(conductors_.size());
+    for (ObjectId const id : conductors_) {
+        placed.push_back(placedConductorOf(store, id));
+    }
+    auto const* const connections = store.findColumn<ElectricityGraph>();
+    for (std::size_t a = 0; a < conductors_.size(); ++a) {
+        ElectricityGraph const* const row =
+            connections == nullptr ? nullptr : connections->find(conductors_[a]);
+        for (std::size_t b = a + 1; b < conductors_.size(); ++b) {
+            ObjectId const other = conductors_[b];
+            bool const connected =
+                row != nullptr && std::any_of(row->connections.begin(), row->connections.end(),
+                                              [&](auto const& connection) { return connection.to == other; });
+            if (connected) {
+                links_.push_back({a, b, {.a = conductors_[a], .b = other}});
+            } else if (placed[a] && placed[b] && leastDistance(*placed[a], *placed[b]) <= widest) {
+                ShapeGap const gap = gapBetween(placed[a]->placed, placed[b]->placed);
+                if (gap.width <= widest) {
+                    links_.push_back({a,
+                                      b,
+                                      {.a = conductors_[a],
+                                       .b = other,
+                                       .width = std::max(gap.width, leastGapCost),
+                                       .from = gap.a,
+                                       .to = gap.b}});
+                }
+            }
+        }
+    }
+}
+
+CircuitCut CircuitSight::cutIn(World const& world, std::size_t object, std::string const& network,
+                               bool onePath) const {
+    Store const& store = world.store();
+    auto const isOf = [&](ObjectId id) {
+        Conductor const* const conductor = entryOf<Conductor>(store, id);
+        return conductor != nullptr && (conductor->network.empty() || conductor->network == network);
+    };
+    TwoPaths paths(conductors_.size());
+    for (std::size_t i = 0; i < conductors_.size(); ++i) {
+        ElectricalSource const* const source = entryOf<ElectricalSource>(store, conductors_[i]);
+        ElectricalReturn const* const back = entryOf<ElectricalReturn>(store, conductors_[i]);
+        if (source != nullptr && source->network == network) {
+            paths.endsAt(i, TwoPaths::End::first);
+        }
+        if (back != nullptr && back->network == network) {
+            paths.endsAt(i, TwoPaths::End::second);
+        }
+    }
+    for (std::size_t i = 0; i < links_.size(); ++i) {
+        Link const& link = links_[i];
+        if (isOf(conductors_[link.a]) && isOf(conductors_[link.b])) {
+            paths.link(link.a, link.b, link.gap.width, i);
+        }
+    }
+    CircuitCut cut;
+    auto const found = isOf(conductors_[object]) ? paths.from(object, onePath) : std::nullopt;
+    cut.hopeless = !found.has_value();
+    if (found) {
+        for (std::size_t const used : *found) {
+            if (links_[used].gap.width > 0) {
+                cut.gaps.push_back(links_[used].gap);
+                cut.width += links_[used].gap.width;
+            }
+        }
+        std::sort(cut.gaps.begin(), cut.gaps.end(), [](CircuitGap const& x, CircuitGap const& y) {
+            return std::pair(x.a, x.b) < std::pair(y.a, y.b);
+        });
+    }
+    return cut;
+}
+
+CircuitCut const& CircuitSight::cutAt(World const& world, ObjectId object) {
+    look(world);
+    auto const [at, isNew] = cuts_.try_emplace(object);
+    if (!isNew) {
+        return at->second;
+    }
+    CircuitCut best;
+    best.hopeless = true;
+    auto const place = std::lower_bound(conductors_.begin(), conductors_.end(), object);
+    if (place != conductors_.end() && *place == object) {
+        auto const* const returns = world.store().findColumn<ElectricalReturn>();
+        bool const onePath = returns == nullptr || neverHadReturns(*returns);
+        for (std::string const& network : networksOf(world.store())) {
+            CircuitCut cut =
+                cutIn(world, static_cast<std::size_t>(place - conductors_.begin()), network, onePath);
+            if (!cut.hopeless && (best.hopeless || cut.width < best.width)) {
+                best = std::move(cut);
+            }
+        }
+    }
+    at->second = std::move(best);
+    return at->second;
+}
+
+} // namespace trembler::insight

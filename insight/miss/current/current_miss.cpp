@@ -1,0 +1,76 @@
+#include "insight/miss/current/current_miss.hpp"
+
+#include "insight/miss/condition_miss.hpp"
+#include "insight/miss/current/ways_of_current.hpp"
+#include "physics/electricity/analyses/nodal.hpp"
+#include "physics/electricity/properties/quantities.hpp"
+#include "physics/electricity/properties/ratings.hpp"
+
+#include <algorithm>
+
+namespace trembler::insight {
+namespace current_miss {
+namespace {
+
+/// The share that a closed circuit keeps as long as too little current flows.
+constexpr double shareOfPower = 0.3;
+
+Miss unmeasured(ConditionState const& state) {
+    Miss made;
+    made.by = 1;
+    made.objects = state.subjects();
+    return made;
+}
+
+} // namespace
+} // namespace current_miss
+
+Miss missOfOn(ConditionState const& state, World const& world, CircuitSight& circuits) {
+    Miss best = current_miss::unmeasured(state);
+    for (ObjectId const id : state.subjects()) {
+        CircuitCut const& cut = circuits.cutAt(world, id);
+        Miss miss;
+        miss.objects = {id};
+        miss.by = 1;
+        if (!cut.gaps.empty()) {
+            miss.lack = Lack::gap;
+            miss.by = cut.width;
+            miss.gaps = cut.gaps;
+            miss.measure = current_miss::shareOfPower +
+                           (1 - current_miss::shareOfPower) * cut.width / (cut.width + typicalDistance);
+        } else if (!cut.hopeless) {
+            RatedPower const* const rated = world.find<RatedPower>(id);
+            auto const* const quantities = world.find<ElectricalQuantities>();
+            auto const* const entry = quantities == nullptr ? nullptr : quantities->find(id);
+            if (rated != nullptr && entry != nullptr && rated->power > 0) {
+                double const needed = NodalElectricity::leastPower * rated->power;
+                miss.lack = Lack::power;
+                miss.by = std::max(0.0, needed - entry->power);
+                miss.measure = current_miss::shareOfPower * std::clamp(miss.by / needed, 0.0, 1.0);
+            } else {
+                miss.measure = current_miss::shareOfPower;
+            }
+        }
+        if (miss.measure < best.measure) {
+            best = miss;
+        }
+    }
+    return best;
+}
+
+Miss missOfOff(ConditionState const& state, World const& world) {
+    Miss best = current_miss::unmeasured(state);
+    for (ObjectId const id : state.subjects()) {
+        int const ways = waysOfCurrent(world, id);
+        double const measure = static_cast<double>(ways) / (ways + 1);
+        if (ways > 0 && measure < best.measure) {
+            best.lack = Lack::ways;
+            best.by = ways;
+            best.measure = measure;
+            best.objects = {id};
+        }
+    }
+    return best;
+}
+
+} // namespace trembler::insight

@@ -1,0 +1,79 @@
+#include "insight/why/story/scene_facts.hpp"
+
+#include "physics/dynamics/properties/body.hpp"
+#include "physics/dynamics/properties/joint.hpp"
+#include "physics/electricity/properties/electrical.hpp"
+#include "puzzle/goals/words/lamp.hpp"
+#include "runtime/placement.hpp"
+
+#include <cstdint>
+#include <numeric>
+#include <span>
+
+namespace trembler::insight {
+namespace {
+
+template <class P>
+std::set<std::string> ownersOf(Store const& store) {
+    std::set<std::string> names;
+    if (auto const* const column = store.findColumn<P>()) {
+        for (ObjectId const id : column->owners()) {
+            names.insert(store.nameOf(id));
+        }
+    }
+    return names;
+}
+
+/// Of each object that joints connect with others, through others as well, the number of its group; fixed
+/// objects connect nothing. O(joints), but for the names.
+std::map<std::string, std::size_t> tiedIn(Store const& store) {
+    std::vector<std::uint32_t> above(
+        store.objects().indexBound()); // a forest: the root is the group's number
+    std::iota(above.begin(), above.end(), 0U);
+    auto const rootOf = [&](std::uint32_t i) {
+        while (above[i] != i) {
+            i = above[i] = above[above[i]];
+        }
+        return i;
+    };
+    std::vector<ObjectId> ends;
+    auto const* const joints = store.findColumn<Joint>();
+    for (ObjectId const id : joints == nullptr ? std::span<ObjectId const>() : joints->owners()) {
+        Joint const& joint = *joints->find(id);
+        if (joint.a.valid() && joint.b.valid() && !store.has<Fixed>(joint.a) && !store.has<Fixed>(joint.b)) {
+            above[rootOf(joint.a.index)] = rootOf(joint.b.index);
+            ends.insert(ends.end(), {joint.a, joint.b});
+        }
+    }
+    std::map<std::string, std::size_t> tied;
+    for (ObjectId const id : ends) {
+        tied.emplace(store.nameOf(id), rootOf(id.index));
+    }
+    return tied;
+}
+
+} // namespace
+
+SceneFacts factsOf(LevelRun const& run) {
+    World const& world = run.world();
+    Store const& store = world.store();
+    SceneFacts facts;
+    facts.fixed = ownersOf<Fixed>(store);
+    facts.conductors = ownersOf<Conductor>(store);
+    facts.tied = tiedIn(store);
+    if (auto const* const positions = store.findColumn<Position>()) {
+        for (ObjectId const id : positions->owners()) {
+            std::string const name = store.nameOf(id);
+            facts.places.emplace(name, (*positions)[id].value);
+            if (isLamp(world, id)) {
+                facts.lamps.insert(name);
+            }
+            if (auto const placement = run.placementOf(id)) {
+                facts.placementOf.emplace(name, *placement);
+            }
+        }
+    }
+    return facts;
+}
+
+} // namespace trembler::insight

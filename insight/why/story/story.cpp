@@ -1,0 +1,253 @@
+#include "insight/why/story/story.hpp"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <optional>
+#include <set>
+#include <utility>
+
+namespace trembler::insight {
+namespace {
+
+struct KindName {
+    std::string_view event;
+    StepKind kind;
+};
+constexpr std::array<KindName, 13> namedKinds{{{"contact begun", StepKind::contact},
+                                               {"contact brief", StepKind::contact},
+                                               {"contact ended", StepKind::apart},
+                                               {"on", StepKind::on},
+                                               {"off", StepKind::off},
+                                               {"magnet on", StepKind::magnetOn},
+                                               {"magnet off", StepKind::magnetOff},
+                                               {"enters the liquid", StepKind::liquid},
+                                               {"grabbed", StepKind::grabbed},
+                                               {"released", StepKind::released},
+                                               {"cut", StepKind::cut},
+                                               {"removed", StepKind::removed},
+                                               {"leaves the liquid", StepKind::other}}};
+
+using Names = std::vector<std::string>;
+
+/// Gathers what the trace says of each event, in one pass.
+class Reader {
+public:
+    explicit Reader(std::span<Event const> events, SceneFacts const& facts)
+        : events_(events), facts_(facts) {}
+
+    /// For each event the named events that led to it directly.
+    [[nodiscard]] std::vector<std::set<std::size_t>> causes() {
+        std::vector<std::set<std::size_t>> all(events_.size());
+        for (std::size_t i = 0; i < events_.size(); ++i) {
+            for (EventId const cause : events_[i].causes) {
+                auto const at = std::lower_bound(events_.begin(), events_.begin() + static_cast<long>(i),
+                                                 cause, [](Event const& e, EventId id) { return e.id < id; });
+                if (at == events_.end() || at->id != cause) {
+                    continue;
+                }
+                auto const place = static_cast<std::size_t>(at - events_.begin());
+                if (kindOf(*at)) {
+                    all[i].insert(place);
+                } else {
+                    all[i].insert(all[place].begin(), all[place].end());
+                }
+            }
+            follow(i, all);
+        }
+        return all;
+    }
+
+private:
+    void follow(std::size_t i, std::vector<std::set<std::size_t>>& all) {
+        Event const& event = events_[i];
+        if (event.event == "connected") {
+            connected_[event.objects] = all[i];
+        } else if (event.event == "disconnected") {
+            connected_.erase(event.objects);
+        }
+        auto const kind = kindOf(event);
+        if (!kind) {
+            return;
+        }
+        if (*kind == StepKind::on) {
+            on_.insert(event.objects.begin(), event.objects.end());
+            waiting_.push_back(i);
+        } else if (*kind == StepKind::off) {
+            for (std::string const& name : event.objects) {
+                on_.erase(name);
+            }
+        }
+        bool const last = i + 1 == events_.size() || events_[i + 1].frame != event.frame ||
+                          events_[i + 1].event != event.event;
+        if (last) {
+            addCircuits(all);
+        }
+        if (*kind == StepKind::goal) {
+            std::set<std::size_t> const stated = all[i]; // its causes, before others are added
+            for (std::string const& name : event.objects) {
+                if (!isAbout(stated, name)) {
+                    continue;
+                }
+                if (auto const at = latest_.find(name); at != latest_.end()) {
+                    all[i].insert(at->second.begin(), at->second.end());
+                }
+                addImmersions(name, all[i]);
+            }
+        }
+        if (*kind == StepKind::liquid && !event.objects.empty()) {
+            immersed_[event.objects] = i;
+        } else if (event.event == "leaves the liquid") {
+            immersed_.erase(event.objects);
+        }
+        if (*kind == StepKind::contact || *kind == StepKind::pull) {
+            for (std::string const& name : event.objects) {
+                if (!facts_.fixed.contains(name)) {
+                    latest_[name] = {i};
+                }
+            }
+        }
+    }
+
+    /// Whether one of these events names the object, or there are none: a goal about any three boxes is not
+    /// about objects that lie elsewhere.
+    [[nodiscard]] bool isAbout(std::set<std::size_t> const& stated, std::string const& name) const {
+        return stated.empty() || std::any_of(stated.begin(), stated.end(), [&](std::size_t i) {
+                   std::vector<std::string> const& objects = events_[i].objects;
+                   return std::find(objects.begin(), objects.end(), name) != objects.end();
+               });
+    }
+
+    /// What carries an object is the liquid that it is in, or that something is in to which it is tied.
+    void addImmersions(std::string const& name, std::set<std::size_t>& causes) const {
+        auto const tied = facts_.tied.find(name);
+        for (auto const& [objects, event] : immersed_) {
+            std::string const& dipped = objects.front();
+            auto const group = facts_.tied.find(dipped);
+            bool const together =
+                tied != facts_.tied.end() && group != facts_.tied.end() && tied->second == group->second;
+            if (dipped == name || together) {
+                causes.insert(event);
+            }
+        }
+    }
+
+    /// The contacts between objects that are on are causes of all that have just been switched on.
+    void addCircuits(std::vector<std::set<std::size_t>>& all) {
+        for (std::size_t const i : waiting_) {
+            for (auto const& [pair, contacts] : connected_) {
+                if (std::all_of(pair.begin(), pair.end(),
+                                [&](std::string const& name) { return on_.contains(name); })) {
+                    all[i].insert(contacts.begin(), contacts.end());
+                }
+            }
+        }
+        waiting_.clear();
+    }
+
+    std::span<Event const> events_;
+    SceneFacts const& facts_;
+    std::map<Names, std::set<std::size_t>> connected_; // by contacts, at present
+    std::set<std::string> on_;
+    std::vector<std::size_t> waiting_; // "on" events of this frame
+    std::map<std::string, std::set<std::size_t>> latest_;
+    std::map<Names, std::size_t> immersed_; // objects and the liquids that they are in, at present
+};
+
+} // namespace
+
+Step stepFor(Event const& event) {
+    Step step;
+    step.kind = kindOf(event).value_or(StepKind::other);
+    step.event = event.id;
+    step.frame = event.frame;
+    step.component = event.component;
+    step.what = event.event;
+    step.objects = event.objects;
+    return step;
+}
+
+std::optional<StepKind> kindOf(Event const& event) {
+    if (event.phase == Phase::goal) {
+        return StepKind::goal;
+    }
+    if (event.phase == Phase::interaction) {
+        bool const magnetic = event.component == "Dynamics <- Magnetic Forces";
+        return magnetic && event.event == "addForceToPoint" ? std::optional(StepKind::pull) : std::nullopt;
+    }
+    if (event.event == "connected" || event.event == "disconnected" || event.component == "Frame") {
+        return std::nullopt;
+    }
+    auto const at = std::find_if(namedKinds.begin(), namedKinds.end(),
+                                 [&](KindName const& named) { return named.event == event.event; });
+    return at == namedKinds.end() ? StepKind::other : at->kind;
+}
+
+Story storyOf(std::span<Event const> events, EventId asked, SceneFacts const& facts) {
+    auto const end =
+        std::find_if(events.begin(), events.end(), [&](Event const& e) { return e.id == asked; });
+    Story story;
+    if (end == events.end()) {
+        return story;
+    }
+    auto const target = static_cast<std::size_t>(end - events.begin());
+    // The rest of its frame as well: currents are switched on side by side.
+    std::size_t count = target + 1;
+    while (count < events.size() && events[count].frame == end->frame) {
+        ++count;
+    }
+    std::vector<std::set<std::size_t>> const causes = Reader(events.first(count), facts).causes();
+    std::set<std::size_t> reached{target};
+    std::vector<std::size_t> open{target};
+    while (!open.empty()) {
+        std::size_t const at = open.back();
+        open.pop_back();
+        for (std::size_t const cause : causes[at]) {
+            if (cause < at && reached.insert(cause).second) {
+                open.push_back(cause);
+            }
+        }
+    }
+    std::map<std::size_t, std::size_t> placed; // step of each placement
+    for (std::size_t const i : reached) {
+        if (kindOf(events[i]) != StepKind::contact) {
+            continue;
+        }
+        for (std::string const& name : events[i].objects) {
+            auto const at = facts.placementOf.find(name);
+            if (at != facts.placementOf.end() && placed.emplace(at->second, story.steps.size()).second) {
+                Step step;
+                step.kind = StepKind::placed;
+                step.component = "Player";
+                step.what = "placed";
+                step.objects = {name};
+                story.steps.push_back(std::move(step));
+            }
+        }
+    }
+    std::map<std::size_t, std::size_t> stepOf;
+    for (std::size_t const i : reached) {
+        Event const& event = events[i];
+        Step step = stepFor(event);
+        std::set<std::size_t> because;
+        for (std::size_t const cause : causes[i]) {
+            if (cause < i) {
+                because.insert(stepOf.at(cause));
+            }
+        }
+        if (step.kind == StepKind::contact) {
+            for (std::string const& name : event.objects) {
+                if (auto const at = facts.placementOf.find(name); at != facts.placementOf.end()) {
+                    because.insert(placed.at(at->second));
+                }
+            }
+        }
+        step.because.assign(because.begin(), because.end());
+        stepOf.emplace(i, story.steps.size());
+        story.steps.push_back(std::move(step));
+    }
+    story.asked = story.steps.size() - 1;
+    return story;
+}
+
+} // namespace trembler::insight

@@ -1,0 +1,72 @@
+// The events that led to an event, without the calls between components: what a person would name.
+#pragma once
+
+#include "insight/why/story/scene_facts.hpp"
+#include "runtime/trace/event.hpp"
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace trembler::insight {
+
+enum class StepKind : std::uint8_t {
+    goal,      ///< a goal was met
+    contact,   ///< two objects began to touch, or touched for less than a frame
+    apart,     ///< they ceased to
+    on,        ///< current began to flow through an object
+    off,       ///< it ceased to
+    magnetOn,  ///< a magnet was switched on
+    magnetOff, ///< or off
+    pull,      ///< a magnet began to act on an object
+    liquid,    ///< an object entered a liquid
+    grabbed,   ///< the player took hold of an object
+    released,  ///< or let go
+    cut,       ///< the player cut a wire
+    removed,   ///< or removed an object
+    placed,    ///< the player laid an object there before the start
+    wired,     ///< the player connected two objects before the start
+    other,     ///< anything else that a resolver recorded
+};
+
+struct Step {
+    StepKind kind = StepKind::other;
+    EventId event; ///< none for `placed` and `wired`
+    std::uint64_t frame = 0;
+    std::string component; ///< as the trace has them
+    std::string what;
+    std::vector<std::string> objects;
+    std::vector<std::size_t> because; ///< steps, ascending; each is earlier in the story than this one
+    bool traced = true;               ///< false: the trace does not connect it with what was asked about
+    /// Led there from a deed that is not traced, and leads itself to nothing in the story, see withDeeds().
+    bool bridge = false;
+};
+
+/// An event and all that led to it, in the order of the trace, placements first.
+struct Story {
+    std::vector<Step> steps;
+    std::size_t asked = 0; ///< the step that was asked about: the last
+    /// Of a deed that is not traced the last step of its bridge, if it has one.
+    std::map<std::size_t, std::size_t> bridges{};
+
+    [[nodiscard]] Step const& askedStep() const { return steps[asked]; }
+};
+
+/// The kind of an event; nothing for a call between components, which no story names, and for a connection,
+/// in whose place the contact is named.
+[[nodiscard]] std::optional<StepKind> kindOf(Event const& event);
+
+/// The step that describes an event, without causes.
+[[nodiscard]] Step stepFor(Event const& event);
+
+/// The story of an event of a trace, which must be in it. A current's causes are not only the connection that
+/// came last, but all contacts that close circuits at that time; what moves an object to a place of a goal is
+/// also what last touched or pulled it, and that it dips into a liquid, or something that joints tie it to
+/// does. A contact of a placed object has its placement as a cause. No step is caused by a later one.
+[[nodiscard]] Story storyOf(std::span<Event const> events, EventId asked, SceneFacts const& facts);
+
+} // namespace trembler::insight
