@@ -105,6 +105,18 @@ inline Json placements(int n) {
     return made;
 }
 
+/// The same, each in an area for placing of its own, a polygon.
+inline Json placementsInAreas(int n) {
+    Json made = placements(n);
+    made["placing"] = Json::array();
+    for (Json const& placement : made["solutions"][0]["placements"]) {
+        double const x = placement["at"][0];
+        double const y = placement["at"][1];
+        made["placing"].push_back({{x - 1.4, y}, {x, y - 1.4}, {x + 1.4, y}, {x, y + 1.4}});
+    }
+    return made;
+}
+
 inline Json refusedPlacements(int n) {
     Json made = twoBodies();
     made["toolbox"] = {{{"part", "crate"}}};

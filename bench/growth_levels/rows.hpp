@@ -85,6 +85,7 @@ inline std::vector<GrowthRow> growthRows() {
         {"solutions", "solutions", solutions, false, trembler::limits::solutions},
         {"inputs", "inputs of a solution", inputs},
         {"placements", "placements", placements, false, placed.size() * trembler::limits::toolboxCount},
+        {"areas", "the same, each in an area of its own", placementsInAreas, false, trembler::limits::areas},
         {"removed", "boxes that the player removes in one frame",
          [=](int n) {
              return atOnce(

@@ -54,6 +54,9 @@ void addRunCommand(CLI::App& program, int& result) {
         *command, "--budget", arguments->budget, 1e-3, 1e3,
         "Time budget in milliseconds per frame: detail levels and periods are chosen during the run so that "
         "the error is least; the choices depend on this computer's speed, so record them to repeat the run");
+    addNumber(*command, "--slow", arguments->slowAfter, 0, 3600,
+              "Tell of every frame that takes more processor time than that, in s")
+        ->default_str("2");
     addFile(*command, "--record", arguments->record,
             "Write the run, with all inputs and changes, as a solution for --solution");
     command

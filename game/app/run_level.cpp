@@ -155,15 +155,9 @@ void tellOfSlowness(RunOptions& run, Session const& session, Progress& progress)
     if (auto const crowd = crowdedStart(store)) {
         std::cerr << "trembler: " << visible(inWords(*crowd, store.nameOf(crowd->body))) << std::endl;
     }
-    run.slow = [&progress](World const& world, std::uint64_t frame, double seconds) {
-        auto const status = world.status();
-        auto const most = std::max_element(status.begin(), status.end(), [](auto const& a, auto const& b) {
-            return a.lastMicroseconds < b.lastMicroseconds;
-        });
+    run.slow = [&progress](SlowFrame const& slow) {
         progress.clear();
-        std::cerr << fmt::format("trembler: frame {} took {:.1f} s of processor time, most of it in {}\n",
-                                 frame, seconds,
-                                 most == status.end() ? "no component" : most->info->text.name);
+        std::cerr << "trembler: " << visible(inWords(slow)) << "\n";
     };
 }
 
@@ -230,6 +224,7 @@ int runLevel(RunArguments const& arguments) {
         progress.frames(done, run.frames);
         outputs.check(); // fail early: the remaining outputs would be useless
     };
+    run.timer = FrameTimer(arguments.slowAfter.value_or(slowAfter));
     tellOfSlowness(run, session, progress);
     std::optional<RunSound> sound;
     if (arguments.sound) {

@@ -31,7 +31,7 @@ struct VerifyArguments {
     std::vector<std::string> detail;
     std::vector<std::string> mods; // folders in which mods are looked for
     OutputTarget json;
-    std::string resume;
+    OutputTarget resume;
     bool mpi = false;
 };
 
@@ -58,15 +58,6 @@ std::vector<std::string> verifyOne(GameDataByMods& data, fs::path const& level,
     }
 }
 
-/// Registers a level and the mods that it names as inputs.
-void readsLevel(Outputs& outputs, GameDataByMods& data, fs::path const& level) {
-    outputs.reads(level);
-    try {
-        readsAll(outputs, data.dataFor(level).mods);
-    } catch (InputError const&) { // verifyOne() reports it
-    }
-}
-
 /// The levels that are verified, one piece of work each, on one thread of each process: the messages of
 /// scripts are gathered for all levels that share mods.
 class Verification {
@@ -74,8 +65,8 @@ public:
     Verification(VerifyArguments const& arguments, GameDataByMods& data, std::vector<fs::path> const& levels)
         : data_(data), levels_(levels), detail_(detailOf(arguments.detail)),
           team_(arguments.mpi ? insight::mpiTeam() : std::make_unique<insight::Team>()),
-          journal_(arguments.resume.empty() ? nullptr
-                                            : std::make_unique<insight::Journal>(arguments.resume, *team_)),
+          journal_(arguments.resume ? std::make_unique<insight::Journal>(*arguments.resume, *team_)
+                                    : nullptr),
           workers_(
               {.threads = 1, .team = team_.get(), .journal = journal_.get(), .stop = {}, .progress = {}}) {
         if (journal_) { // only then must keys differ between states of a file
@@ -133,7 +124,7 @@ int verifyAll(VerifyArguments const& arguments) {
     if (arguments.json && isLevel(*arguments.json)) {
         outputs.reads(*arguments.json);
     }
-    outputs.claimFile("--resume", arguments.resume.empty() ? OutputTarget() : arguments.resume, "a file");
+    outputs.claimFile("--resume", arguments.resume, "a file");
     Verification verification(arguments, data, levels);
     if (!verification.leads()) {
         return exitSolved;
@@ -187,12 +178,9 @@ void addVerifyCommand(CLI::App& program, int& result) {
         ->add_option("--detail", arguments->detail,
                      "EFFECT=LEVEL: check them with this detail level, for example dynamics=ode")
         ->allow_extra_args(false); // otherwise the option would take the path for its value
-    command
-        ->add_option_function<std::string>(
-            "--resume", [arguments](std::string const& file) { arguments->resume = file; },
+    addFile(*command, "--resume", arguments->resume,
             "A file to which the verdict on every level is added as it comes; a level that has not changed "
-            "since is not verified again")
-        ->type_name("FILE");
+            "since is not verified again");
     command->add_flag("--mpi", arguments->mpi,
                       "Share the levels out among the processes that mpirun started; the result does not "
                       "depend on their number");

@@ -77,6 +77,12 @@ Journal::~Journal() {
 }
 
 void Journal::read(fs::path const& file) {
+    std::error_code error;
+    if (fs::file_status const found = fs::status(file, error);
+        fs::exists(found) && !fs::is_regular_file(found) && !fs::is_directory(found)) {
+        // The end of a device or of a pipe may never come.
+        throw std::invalid_argument(fmt::format("{}: is a device or a pipe; expected a file", file.string()));
+    }
     std::ifstream in(file, std::ios::binary);
     constexpr std::string_view begin = R"({"work":)";
     std::string line;

@@ -31,7 +31,9 @@ GoalJudge::GoalJudge(LevelFile const& level, World const& world, std::optional<C
     Problems problems;
     ObjectFinder const finder(level, world, problems);
     state_ = std::make_unique<ConditionState>(*condition_, finder, ObjectId{});
-    complainIfNever(*condition_, level, world, problems);
+    if (!finder.full()) {
+        complainIfNever(*condition_, level, world, problems);
+    }
     problems.throwIfAny();
 
     split_ = splitsIntoGoals(*condition_);

@@ -4,21 +4,9 @@
 
 #include <algorithm>
 #include <chrono>
-#include <ctime>
 #include <ostream>
 
 namespace trembler {
-
-namespace {
-
-/// Not the time that passes, so that a busy machine makes no frame slow.
-double processorSeconds() {
-    timespec now{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
-} // namespace
 
 RunReport run(Session& session, std::string levelName, RunOptions const& options) {
     RunReport report;
@@ -28,18 +16,21 @@ RunReport run(Session& session, std::string levelName, RunOptions const& options
     if (options.enter) {
         options.enter(session);
     }
+    FrameTimer timer = options.timer;
     std::size_t traced = 0;
     auto const before = std::chrono::steady_clock::now();
     for (std::uint64_t frame = 1; frame <= options.frames; ++frame) {
         if (options.before) {
             options.before(session);
         }
-        double const begun = options.slow ? processorSeconds() : 0;
+        if (options.slow) {
+            timer.begin();
+        }
         session.step();
         World const& world = session.world();
         if (options.slow) {
-            if (double const seconds = processorSeconds() - begun; seconds > options.slowAfter) {
-                options.slow(world, frame, seconds);
+            if (auto const slow = timer.end(world)) {
+                options.slow(*slow);
             }
         }
         if (options.frame) {

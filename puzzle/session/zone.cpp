@@ -1,5 +1,6 @@
 #include "puzzle/session/zone.hpp"
 
+#include "physics/box_tree.hpp"
 #include "physics/dynamics/properties/body.hpp"
 #include "physics/dynamics/properties/shapes/corners.hpp"
 #include "runtime/level/build/placed_pieces.hpp"
@@ -71,12 +72,45 @@ bool isNear(Area const& area, Vec2 p, double allowed) {
     return false;
 }
 
+Bounds aroundArea(Area const& area) {
+    return area.box ? Bounds{area.box->corner, area.box->corner + area.box->size} : boundsOf(area.corners);
+}
+
+/// The areas that any point of the outlines can be near to, so that the many points of an outline are
+/// compared with few of a level's areas.
+std::vector<Area const*> areasNear(std::span<Area const> areas,
+                                   std::vector<std::vector<Vec2>> const& outlines, double allowed) {
+    std::vector<Area const*> close;
+    if (outlines.empty()) {
+        return close;
+    }
+    Bounds around = boundsOf(outlines.front());
+    for (std::vector<Vec2> const& corners : outlines) {
+        around.include(boundsOf(corners));
+    }
+    constexpr double rounding = 1e-6; // m; points between corners are rounded
+    Vec2 const more{allowed + rounding, allowed + rounding};
+    around = {around.lower - more, around.upper + more};
+    for (Area const& area : areas) {
+        bool const any = area.box || !area.corners.empty();
+        if (any && aroundArea(area).meets(around)) {
+            close.push_back(&area);
+        }
+    }
+    return close;
+}
+
 } // namespace
 
 bool liesWithin(PlacedShape const& placed, std::span<Area const> areas, double allowed) {
+    std::vector<std::vector<Vec2>> outlines;
+    for (ShapePiece const& piece : placed.shape.pieces) {
+        outlines.push_back(outlineOf(piece, placed));
+    }
+    std::vector<Area const*> const close = areasNear(areas, outlines, allowed);
     auto const inside = [&](Vec2 p) {
-        return std::any_of(areas.begin(), areas.end(),
-                           [&](Area const& area) { return isNear(area, p, allowed); });
+        return std::any_of(close.begin(), close.end(),
+                           [&](Area const* area) { return isNear(*area, p, allowed); });
     };
     auto const sideInside = [&](Vec2 from, Vec2 to) {
         double const steps = std::ceil(length(to - from) / outlineStep);
@@ -88,8 +122,7 @@ bool liesWithin(PlacedShape const& placed, std::span<Area const> areas, double a
         }
         return true;
     };
-    for (ShapePiece const& piece : placed.shape.pieces) {
-        std::vector<Vec2> const corners = outlineOf(piece, placed);
+    for (std::vector<Vec2> const& corners : outlines) {
         for (std::size_t i = 0, j = corners.size() - 1; i < corners.size(); j = i++) {
             if (!sideInside(corners[j], corners[i])) {
                 return false;
@@ -104,8 +137,9 @@ std::optional<std::string> whyItSticksOut(LevelFile const& level, PartLibrary co
     if (!level.placing && !level.bounds) {
         return std::nullopt;
     }
-    std::vector<Area> const areas =
-        level.placing ? *level.placing : std::vector<Area>{Area{.box = level.bounds, .corners = {}}};
+    Area const bounds{.box = level.bounds, .corners = {}};
+    std::span<Area const> const areas =
+        level.placing ? std::span<Area const>(*level.placing) : std::span(&bounds, 1);
     for (PlacedPiece const& piece : placedPieces(parts, placement)) {
         Shape const* const shape = piece.properties.find<Shape>();
         Position const* const position = piece.properties.find<Position>();

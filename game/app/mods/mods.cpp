@@ -84,6 +84,19 @@ GameData const& GameDataByMods::dataFor(std::filesystem::path const& level) {
     return *data;
 }
 
+std::vector<std::filesystem::path> GameDataByMods::modFoldersFor(std::filesystem::path const& level) const {
+    std::vector<std::filesystem::path> found;
+    for (std::filesystem::path const& folder : lua::modFolders(folders_, level, homeFolder())) {
+        for (std::string const& name : lua::modsNamedBy(level)) {
+            std::error_code error;
+            if (std::filesystem::is_directory(folder / name, error)) {
+                found.push_back(folder / name);
+            }
+        }
+    }
+    return found;
+}
+
 std::vector<lua::Mod> modsIn(std::vector<std::string> const& folders) {
     std::vector<std::string> names;
     for (std::filesystem::path const folder : folders) {

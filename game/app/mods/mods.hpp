@@ -29,6 +29,10 @@ public:
     /// Like gameDataFor(). Valid as long as this lives.
     [[nodiscard]] GameData const& dataFor(std::filesystem::path const& level);
 
+    /// The folders in which the mods of the level would be, whether they are right or not. Empty if the level
+    /// cannot be read.
+    [[nodiscard]] std::vector<std::filesystem::path> modFoldersFor(std::filesystem::path const& level) const;
+
 private:
     std::vector<std::string> folders_;
     std::map<std::vector<std::filesystem::path>, std::unique_ptr<GameData const>> byMods_;

@@ -1,5 +1,6 @@
 #include "game/app/options/inputs.hpp"
 
+#include "game/app/mods/mods.hpp"
 #include "game/app/options/outputs.hpp"
 #include "puzzle/data/game_data.hpp"
 
@@ -15,6 +16,16 @@ void readsFolder(Outputs& outputs, fs::path const& folder) {
     }
 }
 
+/// Every file below the folder. More than any mod has are left out, should the folder be that of a disk.
+void readsTree(Outputs& outputs, fs::path const& folder) {
+    std::error_code error;
+    int left = 10'000;
+    for (fs::recursive_directory_iterator at(folder, error), end; !error && at != end && left > 0;
+         at.increment(error), --left) {
+        outputs.reads(at->path());
+    }
+}
+
 } // namespace
 
 void readsAll(Outputs& outputs, GameData const& gameData) {
@@ -26,7 +37,19 @@ void readsAll(Outputs& outputs, GameData const& gameData) {
     for (fs::path const& level : gameData.levels()) {
         outputs.reads(level);
     }
+    readsTree(outputs, gameData.home / "assets"); // texts, too
     readsAll(outputs, gameData.mods);
+}
+
+void readsLevel(Outputs& outputs, GameDataByMods& data, fs::path const& level) {
+    outputs.reads(level);
+    try {
+        readsAll(outputs, data.dataFor(level).mods);
+    } catch (InputError const&) { // reported when the level is read
+        for (fs::path const& folder : data.modFoldersFor(level)) {
+            readsTree(outputs, folder);
+        }
+    }
 }
 
 void readsAll(Outputs& outputs, std::vector<lua::Mod> const& mods) {

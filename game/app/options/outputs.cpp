@@ -82,6 +82,11 @@ void checkFolderName(std::string const& option, std::string const& folder) {
         throw OutputError(fmt::format("{0} {1}: the terminal is no folder; a folder of this name is ./{1}",
                                       option, folder));
     }
+    std::error_code error;
+    if (fs::file_status const found = fs::status(folder, error);
+        fs::exists(found) && !fs::is_directory(found)) {
+        throw OutputError(fmt::format("{} {}: is a file; expected a folder", option, folder));
+    }
 }
 
 void Outputs::reads(fs::path const& file) {

@@ -52,7 +52,7 @@ void takeBack(std::string& argument, OutputTarget& target, char const* name);
 /// The same for arguments of which there may be none.
 void takeBack(std::vector<std::string>& arguments, OutputTarget& target);
 
-/// Throws OutputError if the name that an option states for a folder is empty or "-".
+/// Throws OutputError if the name that an option states for a folder is empty, "-" or that of a file.
 void checkFolderName(std::string const& option, std::string const& folder);
 
 class Outputs {

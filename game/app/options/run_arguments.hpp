@@ -19,10 +19,11 @@ struct RunArguments {
     std::vector<std::string> detail;
     std::vector<std::string> periods;
     std::optional<int> substeps;
-    std::optional<double> budget;   ///< ms
-    std::vector<std::string> watch; ///< OBJECT.FIELD each
-    std::vector<std::string> mods;  ///< folders in which mods are looked for
-    std::uint64_t every = 1;        ///< frames between rows of the table
+    std::optional<double> budget;    ///< ms
+    std::optional<double> slowAfter; ///< s of time on processors; frames that take longer are told
+    std::vector<std::string> watch;  ///< OBJECT.FIELD each
+    std::vector<std::string> mods;   ///< folders in which mods are looked for
+    std::uint64_t every = 1;         ///< frames between rows of the table
 
     OutputTarget json;
     OutputTarget trace;

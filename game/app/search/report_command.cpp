@@ -62,10 +62,9 @@ int reportLevels(ReportArguments const& arguments) {
     Outputs outputs;
     readsAll(outputs, gameData);
     for (auto const& level : levels) {
-        outputs.reads(level);
+        readsLevel(outputs, data, level);
     }
-    outputs.claimFile("--resume", arguments.work.resume.empty() ? OutputTarget() : arguments.work.resume,
-                      "a file");
+    outputs.claimFile("--resume", arguments.work.resume, "a file");
     WorkPlace place(arguments.work);
     OutputFile* json = nullptr;
     OutputFile* markdown = nullptr;
@@ -109,8 +108,7 @@ int reportLevels(ReportArguments const& arguments) {
     outputs.finish();
     if (place.workers().stopped()) {
         std::cerr << "trembler: stopped; the report has what was finished"
-                  << (arguments.work.resume.empty() ? "" : ", and the same command goes on from there")
-                  << "\n";
+                  << (arguments.work.resume ? ", and the same command goes on from there" : "") << "\n";
     }
     bool const sound = std::all_of(reports.begin(), reports.end(), [](insight::LevelReport const& report) {
         return report.complete && insight::shortcomings(report).empty();

@@ -78,10 +78,9 @@ int solveLevels(SolveArguments const& arguments) {
         readsAll(outputs, data.dataFor(files.front()));
     }
     for (auto const& file : files) {
-        outputs.reads(file);
+        readsLevel(outputs, data, file);
     }
-    outputs.claimFile("--resume", arguments.work.resume.empty() ? OutputTarget() : arguments.work.resume,
-                      "a file");
+    outputs.claimFile("--resume", arguments.work.resume, "a file");
     if (arguments.keep) {
         checkFolderName("--keep", *arguments.keep);
     }
@@ -137,8 +136,7 @@ int solveLevels(SolveArguments const& arguments) {
     outputs.finish();
     if (!complete && !arguments.work.minutes) {
         std::cerr << "trembler: stopped; this is what was found so far"
-                  << (arguments.work.resume.empty() ? "" : ", and the same command goes on from there")
-                  << "\n";
+                  << (arguments.work.resume ? ", and the same command goes on from there" : "") << "\n";
     }
     bool const all = searched.size() == files.size() &&
                      std::all_of(searched.begin(), searched.end(),

@@ -12,12 +12,9 @@ namespace trembler {
 void addWorkerOptions(CLI::App& command, WorkerArguments& arguments) {
     addNumber(command, "--threads", arguments.threads, 1, 256,
               "Number of threads (default: one for each processor); the result does not depend on it");
-    command
-        .add_option_function<std::string>(
-            "--resume", [&arguments](std::string const& file) { arguments.resume = file; },
+    addFile(command, "--resume", arguments.resume,
             "A file to which every finished run is added as it comes; what it already holds is not done "
-            "again")
-        ->type_name("FILE");
+            "again");
     command.add_flag(
         "--mpi", arguments.mpi,
         "Share the runs out among the processes that mpirun started; the result does not depend on "
@@ -31,8 +28,8 @@ WorkPlace::WorkPlace(WorkerArguments const& arguments) {
     if (!team_) {
         team_ = std::make_unique<insight::Team>();
     }
-    if (!arguments.resume.empty()) {
-        journal_ = std::make_unique<insight::Journal>(arguments.resume, *team_);
+    if (arguments.resume) {
+        journal_ = std::make_unique<insight::Journal>(*arguments.resume, *team_);
     }
     insight::WorkersOptions options;
     options.threads = arguments.threads;

@@ -1,6 +1,7 @@
 // The options of commands that run levels many times: threads, processes, going on with earlier work.
 #pragma once
 
+#include "game/app/options/outputs.hpp"
 #include "game/app/progress.hpp"
 #include "game/app/search/stop_signal.hpp"
 #include "insight/spread/workers.hpp"
@@ -17,7 +18,7 @@ namespace trembler {
 
 struct WorkerArguments {
     int threads = 0; ///< 0: one for each processor
-    std::string resume;
+    OutputTarget resume;
     bool mpi = false;
     std::optional<double> minutes;
 };

@@ -110,6 +110,11 @@ RunEvents PlayParts::runEvents() {
                     celebration.reset();
                     reportedAltered_ = false;
                     film.end();
+                },
+            .slow =
+                [this](SlowFrame const& slow) {
+                    context.toasts.add(words::slowFrame(slow.frame, slow.seconds, slow.component),
+                                       render::ToastKind::News, 8);
                 }};
 }
 

@@ -45,6 +45,7 @@ public:
     [[nodiscard]] WireTool const& wires() const { return parts_.wires; }
     [[nodiscard]] GroupTool const& group() const { return parts_.group; }
     [[nodiscard]] Speed const& speed() const { return parts_.run.speed(); }
+    [[nodiscard]] RunControl& run() { return parts_.run; }
     [[nodiscard]] HandTool const& hand() const { return parts_.hand; }
     [[nodiscard]] KeyPointer const& keyPointer() const { return parts_.keyPointer; }
     [[nodiscard]] SecondPointer const& secondPointer() const { return parts_.secondPointer; }

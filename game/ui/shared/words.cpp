@@ -44,6 +44,10 @@ std::string tooSlow(double asked, double reached) {
         "This computer is too slow for {}: the world goes at {:.2Lg}×. What happens in it stays the same.",
         timesReal(asked), reached);
 }
+std::string slowFrame(std::uint64_t frame, double seconds, std::string_view component) {
+    return textWith("Frame {} took {:.1Lf} s of processor time, most of it in {}.", frame, seconds,
+                    translated(std::string(component)));
+}
 std::string hold(std::string const& key) {
     return textWith("hold {}", key);
 }

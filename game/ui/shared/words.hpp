@@ -26,6 +26,8 @@ inline char const* const& allBackDone = said("All parts are back in the toolbox"
 /// Of a speed: "2×", "½×"
 [[nodiscard]] std::string timesReal(double speed);
 [[nodiscard]] std::string tooSlow(double asked, double reached);
+/// A frame of the simulation took long, most of it in the component of that name.
+[[nodiscard]] std::string slowFrame(std::uint64_t frame, double seconds, std::string_view component);
 
 // Tools.
 inline constexpr char const* mySolution = "my solution";

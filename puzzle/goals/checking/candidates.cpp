@@ -38,12 +38,30 @@ Candidates CandidateFinder::of(Selector const& selector) const {
 }
 
 bool CandidateFinder::areFixed(Selector const& selector) const {
-    Candidates const all = of(selector);
-    return all.placed == 0 && !all.it && !all.names.empty() &&
-           std::all_of(all.names.begin(), all.names.end(), [&](std::string const& name) {
-               ObjectId const id = world_.store().find(name);
-               return id.valid() && world_.find<Fixed>(id) != nullptr;
-           });
+    // Without Candidates: most levels have many goals about objects of which the first is not fixed.
+    auto const isFixed = [&](std::string const& name) {
+        ObjectId const id = world_.store().find(name);
+        return id.valid() && world_.find<Fixed>(id) != nullptr;
+    };
+    bool any = !selector.names.empty();
+    if (selector.it || !std::all_of(selector.names.begin(), selector.names.end(), isFixed)) {
+        return false;
+    }
+    for (std::string const& part : selector.parts) {
+        if (auto const tool = tools_.find(part); tool != tools_.end() && tool->second > 0) {
+            return false;
+        }
+        auto const made = byPart_.find(part);
+        if (made == byPart_.end()) {
+            continue;
+        }
+        any = any || !made->second.empty();
+        if (!std::all_of(made->second.begin(), made->second.end(),
+                         [&](std::string const* name) { return isFixed(*name); })) {
+            return false;
+        }
+    }
+    return any;
 }
 
 } // namespace trembler

@@ -14,8 +14,8 @@ ConditionState::ConditionState(Condition const& condition, ObjectFinder const& f
                   : 1) {
     constexpr std::size_t own = 8; // the memory of a condition itself, in objects
     if (!finder.take(own + subjects_.size() + objects_.size(), condition.path)) {
-        subjects_.clear();
-        objects_.clear();
+        subjects_ = {}; // not clear(), which keeps the memory
+        objects_ = {};
         return;
     }
     condition.kind->begin(*this, finder, it);

@@ -20,6 +20,9 @@ ObjectFinder::ObjectFinder(LevelFile const& level, World const& world, Problems&
 }
 
 std::vector<ObjectId> ObjectFinder::find(Selector const& selector, ObjectId it) const {
+    if (full()) {
+        return {};
+    }
     Store const& store = world_.store();
     std::vector<ObjectId> found;
     for (std::string const& name : selector.names) {

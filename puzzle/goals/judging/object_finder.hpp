@@ -16,9 +16,9 @@ class ObjectFinder {
 public:
     /// All arguments must outlive it.
     ObjectFinder(LevelFile const& level, World const& world, Problems& problems);
-    /// All objects that the selector refers to, ascending: objects with its names, and objects that the level
-    /// or the player made from its parts (Origin); of a composite part, the main pieces. Complains about
-    /// names that no object has. `it` is the object that "it" refers to.
+    /// All objects that the selector refers to, ascending; none once full(). These are objects with its
+    /// names, and objects that the level or the player made from its parts (Origin); of a composite part, the
+    /// main pieces. Complains about names that no object has. `it` is the object that "it" refers to.
     [[nodiscard]] std::vector<ObjectId> find(Selector const& selector, ObjectId it) const;
     /// Complains if an object that the selector names does not have the property. `why` follows the object's
     /// name in the message, for example "is no conductor, so it is never on".
@@ -30,6 +30,9 @@ public:
     /// Adds to the total number of objects. False once it exceeds `most`; the first time it then complains
     /// about the condition at `path`.
     [[nodiscard]] bool take(std::size_t objects, std::string const& path) const;
+    /// Whether the total number of objects has exceeded `most`: the goals are refused, so nothing more is
+    /// found or checked, which would take a time that the level's size does not limit.
+    [[nodiscard]] bool full() const { return taken_ > most; }
 
 private:
     LevelFile const& level_;

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
+#include <sys/stat.h>
 
 namespace trembler::insight {
 namespace {
@@ -46,6 +47,16 @@ TEST_F(JournalFile, RefusesOtherFiles) {
         // Its first line, a brace, could be an entry that was cut off.
         EXPECT_NE(std::string(error.what()).find("line 2"), std::string::npos) << error.what();
     }
+}
+
+// Reading it would never end.
+TEST_F(JournalFile, RefusesDevicesAndPipes) {
+    std::filesystem::path const pipe = file.string() + ".pipe";
+    ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+    for (std::filesystem::path const& endless : {std::filesystem::path("/dev/full"), pipe}) {
+        EXPECT_THROW(Journal(endless, team), std::invalid_argument) << endless;
+    }
+    std::filesystem::remove(pipe);
 }
 
 } // namespace

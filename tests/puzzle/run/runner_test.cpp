@@ -17,15 +17,15 @@ TEST_F(Runner, TellsOfFramesThatTakeMoreProcessorTimeThanStated) {
     RunOptions options;
     options.frames = 5;
     std::vector<std::uint64_t> told;
-    options.slow = [&](World const& world, std::uint64_t frame, double seconds) {
-        EXPECT_EQ(world.frame(), frame);
-        EXPECT_GE(seconds, 0);
-        told.push_back(frame);
+    options.slow = [&](SlowFrame const& slow) {
+        EXPECT_EQ(slow.seconds, 1.5);
+        told.push_back(slow.frame);
     };
-    options.slowAfter = -1; // each frame takes longer
+    double now = 0; // between two readings 1.5 s pass
+    options.timer = FrameTimer(1, [&] { return now += 1.5; });
     std::uint64_t const hash = run(session(), "", options).stateHash;
     EXPECT_EQ(told, (std::vector<std::uint64_t>{1, 2, 3, 4, 5}));
-    options.slowAfter = 1e9;
+    options.timer = FrameTimer(2, [&] { return now += 1.5; });
     told.clear();
     EXPECT_EQ(run(session(), "", options).stateHash, hash);
     EXPECT_TRUE(told.empty());

@@ -87,6 +87,25 @@ TEST(Zone, AgreesWithAGridOfPointsInAConcaveArea) {
     }));
 }
 
+// Areas that are too far away to matter are left out by their surrounding boxes.
+TEST(Zone, DoesNotDependOnAreasFarAway) {
+    EXPECT_TRUE(rc::check([] {
+        double const width = *rc::gen::inRange(5, 150) * 0.01;
+        Vec2 const at{*rc::gen::inRange(0, 200) * 0.01, *rc::gen::inRange(0, 200) * 0.01};
+        double const angle = *rc::gen::inRange(-180, 180) * pi / 180;
+        Shape const shape{{boxPiece(width, 0.2)}};
+        bool const alone = lies(shape, at, angle, {corner});
+        std::vector<Area> areas;
+        for (int i = 0; i < 20; ++i) {
+            Vec2 const far{5.0 + i, *rc::gen::inRange(-5, 5) * 1.0};
+            areas.push_back({.box = {}, .corners = {far, far + Vec2{1, 0}, far + Vec2{0, 1}}});
+            areas.push_back({.box = Box{far + Vec2{0, 20}, {1, 1}}, .corners = {}});
+        }
+        areas.insert(areas.begin() + *rc::gen::inRange(0, 40), corner);
+        RC_ASSERT(lies(shape, at, angle, areas) == alone);
+    }));
+}
+
 class ZoneOfALevel : public Experiment {
 protected:
     void openWith(std::string const& placing) {

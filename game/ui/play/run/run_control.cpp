@@ -87,7 +87,9 @@ void RunControl::stepOnce(bool heard) {
     hand_.beforeStep();
     budget_.beforeStep(session_, !watching()); // a run that is watched again repeats its decisions
     events_.beforeStep();
+    timer_.begin();
     session_.step();
+    auto const slow = timer_.end(session_.world());
     // In fast motion only every nth frame is heard, so that pitches stay as they are.
     auto const every = static_cast<std::uint64_t>(std::max(speed_.now(), 1.0));
     if (heard && session_.world().frame() % every == 0) {
@@ -95,6 +97,9 @@ void RunControl::stepOnce(bool heard) {
     }
     stepped_ = true;
     events_.afterStep();
+    if (slow) {
+        events_.slow(*slow);
+    }
 }
 
 void RunControl::runOrStop() {

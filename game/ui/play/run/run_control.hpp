@@ -7,10 +7,12 @@
 #include "game/ui/shared/camera_control.hpp"
 #include "game/ui/tools/hand_tool.hpp"
 #include "game/ui/tools/placing_tool.hpp"
+#include "puzzle/run/slow_frame.hpp"
 
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <utility>
 
 namespace trembler::ui {
 
@@ -19,8 +21,9 @@ struct RunEvents {
     std::function<void()> newWorld;   ///< the session has another world
     std::function<void()> beforeStep; ///< directly before each Session::step
     std::function<void()> afterStep;
-    std::function<void()> stopping; ///< the run is about to end
-    std::function<void()> stopped;  ///< the run has ended; directly before newWorld
+    std::function<void()> stopping;             ///< the run is about to end
+    std::function<void()> stopped;              ///< the run has ended; directly before newWorld
+    std::function<void(SlowFrame const&)> slow; ///< a frame took long; after afterStep
 };
 
 /// Needs no window. Window thread only.
@@ -52,6 +55,8 @@ public:
     void beginAgain(Playback done, std::uint64_t frame);
     /// From here on a run that is watched again is the player's own.
     void takeOver();
+    /// Measures frames with another timer than the usual one.
+    void measureWith(FrameTimer timer) { timer_ = std::move(timer); }
 
     [[nodiscard]] bool building() const { return session_.mode() == SessionMode::building; }
     [[nodiscard]] bool running() const { return session_.mode() == SessionMode::running; }
@@ -80,6 +85,7 @@ private:
     RunEvents events_;
     Subscription patches_; // of the running world
     Speed speed_;
+    FrameTimer timer_;
     bool oneFrame_ = false;
     bool stepped_ = false;
     std::optional<std::uint64_t> target_; // up to which the run is computed again

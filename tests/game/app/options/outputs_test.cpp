@@ -111,6 +111,35 @@ TEST_F(Outputs, HaveNames) {
     EXPECT_EQ(runProgram({"components", "--json", ""}).status, 2);
     EXPECT_EQ(runProgram({"screenshot", input, "--out", ""}).status, 2);
     EXPECT_EQ(runProgram({"play", "--pictures", ""}).status, 2);
+    for (char const* const command : {"verify", "report", "solve"}) {
+        Ran const ran = runProgram({command, input, "--resume", ""});
+        EXPECT_EQ(ran.status, 2) << command;
+        EXPECT_TRUE(contains(ran.err, "--resume") && contains(ran.err, "empty")) << ran.err;
+    }
+}
+
+TEST_F(Outputs, ThatHoldEarlierWorkAreFiles) {
+    std::string const input = level();
+    for (char const* const command : {"verify", "report", "solve"}) {
+        // The end of a device would never come.
+        Ran const ran = runProgram({command, input, "--resume", "/dev/full"});
+        EXPECT_EQ(ran.status, 2) << command;
+        EXPECT_TRUE(contains(ran.err, "/dev/full: is a device")) << ran.err;
+    }
+}
+
+TEST_F(Outputs, OfFoldersAreRefusedBeforeTheWorkIfTheyAreFiles) {
+    std::string const input = level();
+    write(at("old"), "precious");
+    for (std::vector<std::string> const& command :
+         {std::vector<std::string>{"solve", input, "--runs", "1", "--keep", at("old")},
+          {"accuracy", "gravity", "--brief", "--plot", at("old")},
+          {"mod", "annotations", at("old")}}) {
+        Ran const ran = runProgram(command);
+        EXPECT_EQ(ran.status, 2) << command.front();
+        EXPECT_TRUE(contains(ran.err, "is a file; expected a folder")) << command.front() << ": " << ran.err;
+        EXPECT_EQ(contentsOf(at("old")), "precious");
+    }
 }
 
 TEST_F(Outputs, ThatCannotBeWrittenAreReportedWithTheReason) {

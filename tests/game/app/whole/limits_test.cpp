@@ -2,6 +2,8 @@
 #include "runtime/level/json/limits.hpp"
 #include "tests/game/app/program.hpp"
 
+#include <fmt/format.h>
+
 namespace trembler::test {
 namespace {
 
@@ -39,6 +41,28 @@ TEST_F(Limits, OfItsValues) {
     Ran const ran = runProgram({"run", at("level.json")});
     EXPECT_EQ(ran.status, 2);
     EXPECT_LT(std::count(ran.err.begin(), ran.err.end(), '\n'), 110);
+}
+
+// Ten thousand conditions, each about ten thousand objects twice: a small file.
+TEST_F(Limits, OfTheObjectsOfGoals) {
+    constexpr int many = 10'000;
+    std::string objects;
+    std::string goals;
+    for (int i = 0; i < many; ++i) {
+        objects += fmt::format(R"({}{{"name": "ball {}", "part": "wooden ball", "at": [{}, 0]}})",
+                               i == 0 ? "" : ",\n", i, i);
+        if (i + 1 < many) { // the list of them is a condition, too
+            goals +=
+                fmt::format(R"({}{{"touching": [{{"part": "wooden ball"}}, {{"part": "wooden ball"}}]}})",
+                            i == 0 ? "" : ",\n", i);
+        }
+    }
+    write(at("level.json"), R"({"version": 2, "title": "many", "objects": [)" + objects +
+                                R"(], "goals": {"all": [)" + goals + "]}}");
+    Ran const ran = runProgram({"run", at("level.json"), "--frames", "1"});
+    EXPECT_EQ(ran.status, 2);
+    EXPECT_NE(ran.err.find("the goals speak of too many objects"), std::string::npos) << ran.err;
+    EXPECT_LT(ran.mostMemory, enough);
 }
 
 } // namespace

@@ -111,12 +111,31 @@ TEST_F(Mods, NoCommandThatReadsAModReplacesItsFiles) {
                  {"components", "--mod", folder.string(), "--json", file},
                  {"components", "--mod", folder.string(), "--markdown", file},
                  {"verify", level, "--mod", folder.string(), "--json", file},
+                 {"report", level, "--brief", "--runs", "0", "--drops", "0", "--json", file},
+                 {"report", level, "--brief", "--runs", "0", "--drops", "0", "--resume", file},
+                 {"solve", level, "--runs", "1", "--json", file},
+                 {"solve", level, level, "--runs", "1", "--markdown", file},
+                 {"why", level, "--frames", "2", "--json", file},
                  {"run", level, "--frames", "2", "--json", file}}) {
             Ran const ran = run(command);
             EXPECT_EQ(ran.status, 2) << command.front() << " " << name;
             EXPECT_TRUE(contains(ran.err, "not overwritten")) << ran.err;
             EXPECT_EQ(contentsOf(file), before) << command.front() << " " << name;
         }
+    }
+}
+
+TEST_F(Mods, AModWithAMistakeIsNotReplacedByTheReportOnIt) {
+    makeMod("my-mod", folder.string());
+    std::string const level = at("my-mod/levels/1-push.json");
+    write(folder / "my-mod/mod.json", "{\n  \"name\": my-mod\n}");
+    for (char const* const name : {"mod.json", "interactions/push.lua"}) {
+        std::string const file = at(std::string("my-mod/") + name);
+        std::string const before = contentsOf(file);
+        Ran const ran = run({"verify", level, "--json", file});
+        EXPECT_EQ(ran.status, 2) << name;
+        EXPECT_TRUE(contains(ran.err, "not overwritten")) << ran.err;
+        EXPECT_EQ(contentsOf(file), before) << name;
     }
 }
 

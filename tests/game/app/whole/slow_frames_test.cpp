@@ -1,4 +1,5 @@
-// The causes of long frames are reported: bodies in one place before the first frame, by run and by verify.
+// The causes of long frames are reported: bodies in one place before the first frame, by run and by verify, and every
+// slow frame by run.
 #include "tests/game/app/program.hpp"
 #include "tests/support/boxes.hpp"
 
@@ -30,6 +31,20 @@ TEST_F(SlowFrames, AreNotToldOfManyBoxesSideBySide) {
     Ran const ran = runProgram({"run", boxes(300, 0.1), "--frames", "1"});
     EXPECT_NE(ran.status, 2);
     EXPECT_EQ(ran.err.find("pairs"), std::string::npos) << ran.err;
+}
+
+// Of a frame that takes longer than stated; none takes no time, and none an hour.
+TEST_F(SlowFrames, AreToldOneByOne) {
+    std::string const level = boxes(3, 0.1);
+    Ran const all = runProgram({"run", level, "--frames", "2", "--slow", "0"});
+    for (char const* const told :
+         {"trembler: frame 1 took ", "trembler: frame 2 took ", "s of processor time, most of it in "}) {
+        EXPECT_NE(all.err.find(told), std::string::npos) << told << ": " << all.err;
+    }
+    Ran const none = runProgram({"run", level, "--frames", "2", "--slow", "3600"});
+    EXPECT_EQ(none.err.find(" took "), std::string::npos) << none.err;
+    EXPECT_EQ(none.status, all.status);
+    EXPECT_EQ(runProgram({"run", level, "--slow", "nan"}).status, 2);
 }
 
 } // namespace

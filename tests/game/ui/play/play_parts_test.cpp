@@ -1,4 +1,4 @@
-// The messages to the player when a level is opened.
+// The messages to the player when a level is opened, and about its frames.
 #include "game/ui/play/play_parts.hpp"
 #include "game/ui/shared/texts.hpp"
 #include "tests/game/ui/player.hpp"
@@ -40,6 +40,24 @@ TEST(OpenedLevel, OfBoxesSideBySideSaysNothing) {
     Player player;
     player.open(boxes(300, 0.2));
     EXPECT_EQ(player.app().context().toasts.count(), 0U) << player.app().context().toasts.newest();
+}
+
+TEST(OpenedLevel, TellsOfEverySlowFrameInThePlayersLanguage) {
+    Player player;
+    player.open(boxes(3, 0.2));
+    render::Toasts const& toasts = player.app().context().toasts;
+    player.play().run().step();
+    EXPECT_EQ(toasts.count(), 0U) << toasts.newest();
+    double now = 0; // between two readings 2.5 s pass
+    player.play().run().measureWith(FrameTimer(slowAfter, [&] { return now += 2.5; }));
+    player.play().run().step();
+    EXPECT_TRUE(toasts.newest().starts_with("Frame 2 took 2.5 s of processor time, most of it in "))
+        << toasts.newest();
+    useLanguage("de");
+    player.play().run().step();
+    std::string const told = toasts.newest();
+    useLanguage("en");
+    EXPECT_TRUE(told.starts_with("Bild 3 brauchte 2,5 s Rechenzeit, das meiste davon für ")) << told;
 }
 
 } // namespace

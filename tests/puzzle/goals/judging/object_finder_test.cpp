@@ -77,5 +77,19 @@ TEST_F(ObjectFinderTest, ReportsImpossibleSelectors) {
     EXPECT_EQ(problems.count(), 2U) << "once only";
 }
 
+// The goals are refused then; looking for the objects of thousands of further conditions would take minutes.
+TEST_F(ObjectFinderTest, FindsNothingMoreOnceThereAreTooMany) {
+    ObjectFinder const finder(level, *built.world, problems);
+    Selector const ball{{}, {"steel ball"}, false, ""};
+    EXPECT_TRUE(finder.take(ObjectFinder::most, "/goals"));
+    EXPECT_FALSE(finder.full());
+    EXPECT_EQ(finder.find(ball, {}).size(), 4U);
+    EXPECT_TRUE(problems.empty());
+    EXPECT_FALSE(finder.take(1, "/goals"));
+    EXPECT_TRUE(finder.full());
+    EXPECT_TRUE(finder.find(ball, {}).empty());
+    EXPECT_FALSE(problems.empty());
+}
+
 } // namespace
 } // namespace trembler

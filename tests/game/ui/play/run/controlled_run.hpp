@@ -19,6 +19,7 @@ struct Controlled {
     LevelAudio audio{nullptr};
     CameraControl view;
     std::string callbacks;
+    std::vector<SlowFrame> slowFrames;
     RunControl run{session,
                    placing,
                    hand,
@@ -29,7 +30,8 @@ struct Controlled {
                     .beforeStep = [this] { callbacks += "b"; },
                     .afterStep = [this] { callbacks += "a"; },
                     .stopping = [] {},
-                    .stopped = [this] { callbacks += "s"; }}};
+                    .stopped = [this] { callbacks += "s"; },
+                    .slow = [this](SlowFrame const& slow) { slowFrames.push_back(slow); }}};
 
     void pictures(int count, double seconds = 1.0 / 60, bool oneFrame = false, bool fastHeld = false) {
         for (int i = 0; i < count; ++i) {

@@ -46,6 +46,23 @@ TEST(RunControl, SingleFramesStartTheRunAndPauseIt) {
     EXPECT_EQ(level.run.alpha(), 1) << "a paused world is drawn at its current positions";
 }
 
+TEST(RunControl, TellsOfSlowFrames) {
+    Controlled level;
+    double now = 0; // between two readings 1.5 s pass
+    level.run.measureWith(FrameTimer(2, [&] { return now += 1.5; }));
+    level.run.step();
+    EXPECT_TRUE(level.slowFrames.empty());
+    level.run.measureWith(FrameTimer(1, [&] { return now += 1.5; }));
+    level.run.step();
+    ASSERT_EQ(level.slowFrames.size(), 1U);
+    EXPECT_EQ(level.slowFrames.front().frame, 2U);
+    EXPECT_EQ(level.slowFrames.front().seconds, 1.5);
+    level.run.runOrStop();
+    level.run.runOrStop();
+    level.pictures(2);
+    EXPECT_EQ(level.slowFrames.size(), 3U);
+}
+
 TEST(RunControl, FastIsFourTimesAsFastByKeyAndBySwitch) {
     Controlled level;
     level.run.runOrStop();
