@@ -22,16 +22,9 @@ struct RunOptions {
     std::function<void(World const&)> frame;
     /// Called directly before every frame; may change the session as a player can.
     std::function<void(Session&)> before;
-<<<<<<< HEAD
-    /// Called after a frame that took more than `slowAfter` seconds of this process's time on processors,
-    /// with the frame's number and these seconds. It depends on the machine, so it may only be reported.
-    std::function<void(World const&, std::uint64_t frame, double seconds)> slow;
-    double slowAfter = 2;
-=======
     /// Called after each frame of which the timer says that it took long.
     std::function<void(SlowFrame const&)> slow;
     FrameTimer timer{};
->>>>>>> dc189538ca7d9c43c17a6a65d9943da654d5ed2b
 };
 
 /// Runs a session from its beginning for a number of frames. The world must trace if options.trace is set.
