@@ -29,8 +29,8 @@ public:
     /// Starts a frame with the events that `input` took last; ImGui's functions work from here to endFrame.
     /// `seconds` since the last frame: clamped to at least a millisecond and at most a second.
     void beginFrame(InputEvents const& input, double seconds);
-    /// Draws the panels over the window's contents. `beneath` is called before any panel is drawn, and may
-    /// draw words in the world; it may be empty.
+    /// Draws the panels over the window's contents. `beneath` is called after the drawing beneath all panels,
+    /// such as words in the world, and before the panels; it may be empty.
     void endFrame(std::function<void()> const& beneath = {});
     /// Instead of endFrame, if the window is not visible: draws nothing. The panels have answered the
     /// player's input and are laid out all the same.

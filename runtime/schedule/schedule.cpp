@@ -41,8 +41,7 @@ std::vector<Conflict> conflicts(ComponentInfo const& a, ComponentInfo const& b) 
     return all;
 }
 
-void refuseDoubleWriters(ComponentInfo const& a, ComponentInfo const& b,
-                         std::span<HandOver const> handOvers) {
+void refuseDoubleWriters(ComponentInfo const& a, ComponentInfo const& b) {
     if (a.writesEverything && b.writesEverything) {
         throw RuleBroken(
             fmt::format("the {} and the {} both write everything; objects come and go by one resolver",
@@ -51,16 +50,8 @@ void refuseDoubleWriters(ComponentInfo const& a, ComponentInfo const& b,
     // The resolver that writes everything only creates objects with their first values and destroys them: on
     // creation it passes every property to the resolver that simulates it.
     for (PropertyInfo const* property : shared(a.writes, b.writes)) {
-        bool const handedOver = std::any_of(handOvers.begin(), handOvers.end(), [&](HandOver const& h) {
-            return h.property == property && ((h.first == a.text.name && h.second == b.text.name) ||
-                                              (h.first == b.text.name && h.second == a.text.name));
-        });
-        if (!handedOver) {
-            throw RuleBroken(
-                fmt::format("the {} and the {} both write {}. One property has one writer, unless a "
-                            "hand-over of objects between the two is declared (7.1.5)",
-                            title(a), title(b), property->text.name));
-        }
+        throw RuleBroken(fmt::format("the {} and the {} both write {}; one property has one writer (5.4)",
+                                     title(a), title(b), property->text.name));
     }
 }
 

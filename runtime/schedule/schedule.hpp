@@ -10,8 +10,6 @@
 
 namespace trembler {
 
-struct HandOver;
-
 /// Why two resolvers must not run at the same time.
 struct Conflict {
     enum class Kind : std::uint8_t {
@@ -29,8 +27,8 @@ struct Conflict {
     return conflicts(a, b).empty();
 }
 
-/// Throws RuleBroken, with both names, if two resolvers write one property without a declared hand-over.
-void refuseDoubleWriters(ComponentInfo const& a, ComponentInfo const& b, std::span<HandOver const> handOvers);
+/// Throws RuleBroken, with both names, if two resolvers write one property.
+void refuseDoubleWriters(ComponentInfo const& a, ComponentInfo const& b);
 
 /// The order that a set of resolvers, given in registration order, must keep: pairs (earlier, later) of all
 /// that conflict. Resolvers that no pairs connect may run at the same time. Derived property sets and

@@ -167,8 +167,8 @@ std::vector<std::string> Registry::connectionKinds() const {
 }
 
 std::size_t Registry::registrations() const {
-    return components_.size() + properties_.size() + handOvers_.size() + shortcuts_.size() +
-           completions_.size() + connectors_.size();
+    return components_.size() + properties_.size() + shortcuts_.size() + completions_.size() +
+           connectors_.size();
 }
 
 void Registry::check() const {
@@ -207,7 +207,7 @@ void Registry::checkAll() const {
                 continue;
             }
             if (a.kind == ComponentKind::resolver && b.kind == ComponentKind::resolver) {
-                refuseDoubleWriters(a, b, handOvers_);
+                refuseDoubleWriters(a, b);
             }
             for (PropertyInfo const* offer : a.offers) {
                 if (keys(b.offers).contains(offer->text.key)) {

@@ -36,15 +36,6 @@ struct Registration {
     PropertyInfo const* leftEmpty = nullptr;
 };
 
-/// A declared hand-over (7.1.5): two resolvers may write one property if each object belongs to one of them
-/// at a time and changes its owner between frames only.
-struct HandOver {
-    PropertyInfo const* property;
-    std::string first;
-    std::string second;
-    std::string why;
-};
-
 /// An interaction that runs inside a derived property set (5.7.3).
 struct Shortcut {
     std::type_index interaction;
@@ -180,11 +171,6 @@ public:
     void shortcut() {
         shortcuts_.push_back({typeid(I), typeid(X)});
     }
-    template <ObjectProperty P, class First, class Second>
-    void handOver(std::string why) {
-        handOvers_.push_back({&propertyInfo<P>(), std::string(First::text.name),
-                              std::string(Second::text.name), std::move(why)});
-    }
 
     /// Adds a completion, a class derived from Completion that gives properties to new objects.
     template <class C>
@@ -207,7 +193,6 @@ public:
     /// The kinds of connections, in alphabetical order.
     [[nodiscard]] std::vector<std::string> connectionKinds() const;
     [[nodiscard]] std::span<Registration const> components() const { return components_; }
-    [[nodiscard]] std::span<HandOver const> handOvers() const { return handOvers_; }
     [[nodiscard]] std::span<Shortcut const> shortcuts() const { return shortcuts_; }
     /// Every known object property, in order of its key.
     [[nodiscard]] std::vector<PropertyInfo const*> objectProperties() const;
@@ -228,7 +213,6 @@ private:
 
     std::vector<Registration> components_;
     std::vector<PropertyInfo const*> properties_;
-    std::vector<HandOver> handOvers_;
     std::vector<Shortcut> shortcuts_;
     std::vector<CompletionInfo const*> completions_;
     std::vector<ObjectRule> rules_;

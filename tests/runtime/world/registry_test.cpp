@@ -55,7 +55,7 @@ TEST(RegistryRules, TwoWritersOfOnePropertyAreRefusedByName) {
     Registry registry;
     registry.component<WritesHeatA>();
     registry.component<WritesHeatB>();
-    expectRefusal(registry, {"A Resolver", "B Resolver", "both write Heat", "7.1.5"});
+    expectRefusal(registry, {"A Resolver", "B Resolver", "both write Heat"});
 }
 
 TEST(RegistryRules, AreCheckedAgainAfterAnotherRegistration) {
@@ -66,20 +66,6 @@ TEST(RegistryRules, AreCheckedAgainAfterAnotherRegistration) {
     registry.component<WritesHeatB>();
     expectRefusal(registry, {"A Resolver", "B Resolver", "both write Heat"});
     expectRefusal(registry, {"A Resolver", "B Resolver", "both write Heat"}); // also the next time
-    registry.handOver<Heat, WritesHeatA, WritesHeatB>("each body is in one of them");
-    EXPECT_EQ(refusalOf(registry), "(accepted)");
-}
-
-TEST(RegistryRules, ADeclaredHandOverAllowsTwoWriters) {
-    Registry registry;
-    registry.component<WritesHeatA>();
-    registry.component<WritesHeatB>();
-    registry.handOver<Heat, WritesHeatB, WritesHeatA>(
-        "what burns is B's, what glows is A's"); // in either order
-    EXPECT_EQ(refusalOf(registry), "(accepted)");
-    // The declaration holds for this property and this pair only.
-    registry.component<WritesFuelC>();
-    expectRefusal(registry, {"B Resolver", "C Resolver", "both write Fuel"});
 }
 
 TEST(RegistryRules, TwoEffectsWithTheSameKindOfConnectionsAreRefusedByName) {
@@ -92,14 +78,6 @@ TEST(RegistryRules, TwoEffectsWithTheSameKindOfConnectionsAreRefusedByName) {
     EXPECT_EQ(registry.connectionKinds(), (std::vector<std::string>{"pipe", "wire"}));
     registry.connector({"wire", "fencing", "a fence", refuse, lay});
     expectRefusal(registry, {"'electricity'", "'fencing'", "'wire'"});
-}
-
-TEST(RegistryRules, AHandOverOfAnotherPropertyIsNotSufficient) {
-    Registry registry;
-    registry.component<WritesHeatA>();
-    registry.component<WritesHeatB>();
-    registry.handOver<Fuel, WritesHeatA, WritesHeatB>("not what both write");
-    expectRefusal(registry, {"both write Heat"});
 }
 
 TEST(RegistryRules, AlternativesOfOneRoleMayWriteTheSame) {
