@@ -58,6 +58,17 @@ inline Json inputs(int n) {
     return made;
 }
 
+/// Changes of an accuracy setting during a run.
+inline Json changes(int n) {
+    Json made = twoBodies();
+    Json all = Json::array();
+    for (int i = 0; i < n; ++i) {
+        all.push_back({{"frame", 1 + i}, {"setting", {{"solver", {{"substeps", 1 + i % 4}}}}}});
+    }
+    made["solutions"] = {{{"name", "changes"}, {"frames", n + framesOfGrowth}, {"changes", all}}};
+    return made;
+}
+
 inline Json cuts(int n) {
     Json made = cable(n);
     Json inputs = Json::array();

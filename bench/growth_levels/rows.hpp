@@ -3,6 +3,8 @@
 
 #include "bench/growth_levels/bodies.hpp"
 #include "bench/growth_levels/circuits.hpp"
+#include "bench/growth_levels/devices.hpp"
+#include "bench/growth_levels/mechanisms.hpp"
 #include "bench/growth_levels/pieces.hpp"
 #include "bench/growth_levels/play.hpp"
 #include "runtime/level/json/limits.hpp"
@@ -56,6 +58,13 @@ inline std::vector<GrowthRow> growthRows() {
         {"breaking", "hinges that all break in one frame", [](int n) { return ownJoints(n, "hinge", 0.01); }},
         {"parallel-hinges", "hinges between two bodies", [](int n) { return parallel(n, "hinge"); }},
         {"parallel-springs", "springs between two bodies", [](int n) { return parallel(n, "spring"); }},
+        {"sliders", "bodies on sliders", [](int n) { return guided(n, "slider"); }},
+        {"rods", "bodies on rods", [](int n) { return guided(n, "distance"); }},
+        {"ropes", "bodies on ropes", [](int n) { return guided(n, "rope"); }},
+        {"wheels", "bodies on wheels", [](int n) { return guided(n, "wheel"); }},
+        {"pulleys", "pulleys", pulleys},
+        {"gears", "gears in a row", gears},
+        {"pieces", "pieces of bodies that fall, a hundred each", piecesOfBodies},
         {"connections", "connections of a cable", cable},
         {"cuts", "the same, one cut in each frame", cuts},
         {"cuts-at-once", "the same, all cut in one frame", cutsAtOnce},
@@ -71,6 +80,9 @@ inline std::vector<GrowthRow> growthRows() {
          trembler::limits::objects / 3 - 1},
         {"net", "a square net of resistors, nodal", net},
         {"motors", "motors at work", motors},
+        {"fuses", "fuses that all blow", fuses},
+        {"generators", "generators at work", generators},
+        {"sensors", "sound sensors, a box lands", sensors},
         {"magnets", "magnets", [=](int n) { return lattice(n, 1, magnet); }},
         {"floats", "boxes afloat", floats},
         {"pools", "pools, a box in each", pools},
@@ -84,6 +96,7 @@ inline std::vector<GrowthRow> growthRows() {
         {"touch-goal", "boxes in a goal that any two of them touch", touchGoal},
         {"solutions", "solutions", solutions, false, trembler::limits::solutions},
         {"inputs", "inputs of a solution", inputs},
+        {"changes", "changes of a setting", changes, false, trembler::limits::changes},
         {"placements", "placements", placements, false, placed.size() * trembler::limits::toolboxCount},
         {"areas", "the same, each in an area of its own", placementsInAreas, false, trembler::limits::areas},
         {"removed", "boxes that the player removes in one frame",

@@ -1,6 +1,7 @@
 #include "puzzle/goals/level_schema.hpp"
 
 #include "puzzle/goals/conditions/table.hpp"
+#include "puzzle/goals/judging/object_finder.hpp"
 #include "puzzle/goals/reading/schema_pieces.hpp"
 #include "runtime/level/json/limits.hpp"
 #include "runtime/level/write/schema.hpp"
@@ -69,8 +70,10 @@ Json goalSchema() {
     definitions["condition"] = Json{
         {"oneOf", conditionSchemas()},
         {"description",
-         fmt::format("A condition on a world; a level has at most {} of them, including those inside others.",
-                     limits::conditions)}};
+         fmt::format(
+             "A condition on a world; a level has at most {} of them, including those inside others, and "
+             "they are about at most {} objects in all, each counted for every condition about it.",
+             limits::conditions, ObjectFinder::most)}};
     return Json{{"$ref", "#/$defs/condition"}, {"$defs", std::move(definitions)}};
 }
 

@@ -1,6 +1,8 @@
 #include "puzzle/data/published_schema.hpp"
+#include "puzzle/goals/judging/object_finder.hpp"
 #include "puzzle/goals/level_schema.hpp"
 #include "runtime/level/build/build_world.hpp"
+#include "runtime/level/json/limits.hpp"
 #include "runtime/level/read/read_level.hpp"
 #include "tests/levels/level_kit.hpp"
 #include "tests/levels/schema_validator.hpp"
@@ -117,6 +119,21 @@ std::pair<bool, bool> acceptedWith(char const* pointer, nlohmann::json const& va
         read = false;
     }
     return {validate(levelSchema(levelKit().registry), level).empty(), read};
+}
+
+// Limits that no single list has.
+TEST(Schema, SaysHowMuchThereMayBeInAll) {
+    nlohmann::json const schema = levelSchema(levelKit().registry);
+    auto const says = [&](char const* pointer, std::size_t limit) {
+        auto const text = schema.at(nlohmann::json::json_pointer(pointer)).get<std::string>();
+        return text.find("at most " + std::to_string(limit)) != std::string::npos;
+    };
+    EXPECT_TRUE(says("/description", limits::fileSize));
+    EXPECT_TRUE(says("/properties/objects/description", limits::made));
+    EXPECT_TRUE(says("/properties/objects/description", limits::pieces));
+    EXPECT_TRUE(says("/properties/objects/description", limits::partDepth));
+    EXPECT_TRUE(says("/$defs/condition/description", limits::conditions));
+    EXPECT_TRUE(says("/$defs/condition/description", ObjectFinder::most));
 }
 
 // The limits that rules state in words, counted by writing as many entries.

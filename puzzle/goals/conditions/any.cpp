@@ -1,4 +1,5 @@
 // {"any": [conditions]}: at least one of them holds.
+#include "puzzle/goals/conditions/kinds.hpp"
 #include "puzzle/goals/conditions/list.hpp"
 #include "puzzle/goals/judging/condition_state.hpp"
 #include "puzzle/goals/words/goal_text.hpp"

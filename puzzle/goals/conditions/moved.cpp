@@ -6,6 +6,7 @@
 #include "physics/dynamics/properties/shape.hpp"
 #include "puzzle/goals/checking/whole_level.hpp"
 #include "puzzle/goals/conditions/acting.hpp"
+#include "puzzle/goals/conditions/kinds.hpp"
 #include "puzzle/goals/judging/condition_state.hpp"
 #include "puzzle/goals/reading/goal_reader.hpp"
 #include "puzzle/goals/reading/schema_pieces.hpp"

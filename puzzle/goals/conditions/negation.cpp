@@ -1,4 +1,5 @@
 // {"not": condition}: the condition does not hold.
+#include "puzzle/goals/conditions/kinds.hpp"
 #include "puzzle/goals/conditions/moved.hpp"
 #include "puzzle/goals/judging/condition_state.hpp"
 #include "puzzle/goals/reading/goal_reader.hpp"

@@ -1,5 +1,6 @@
 // {"off": O}: an object is not part of a working circuit. A destroyed object is neither on nor off.
 #include "puzzle/goals/conditions/circuit.hpp"
+#include "puzzle/goals/conditions/kinds.hpp"
 #include "puzzle/goals/judging/condition_state.hpp"
 
 #include <algorithm>

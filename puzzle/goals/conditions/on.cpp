@@ -2,6 +2,7 @@
 #include "physics/electricity/properties/electrical.hpp"
 #include "puzzle/goals/checking/whole_level.hpp"
 #include "puzzle/goals/conditions/circuit.hpp"
+#include "puzzle/goals/conditions/kinds.hpp"
 #include "puzzle/goals/judging/condition_state.hpp"
 #include "runtime/level/build/part_expander.hpp"
 

@@ -5,6 +5,7 @@
 // the previous step was done. If it already holds when its turn comes, it must first cease to hold.
 #include "puzzle/goals/conditions/sequence.hpp"
 
+#include "puzzle/goals/conditions/kinds.hpp"
 #include "puzzle/goals/conditions/list.hpp"
 #include "puzzle/goals/judging/condition_state.hpp"
 #include "puzzle/goals/words/goal_text.hpp"

@@ -5,6 +5,7 @@
 #include "physics/dynamics/properties/body.hpp"
 #include "physics/dynamics/properties/shape.hpp"
 #include "puzzle/goals/checking/whole_level.hpp"
+#include "puzzle/goals/conditions/kinds.hpp"
 #include "puzzle/goals/reading/goal_reader.hpp"
 #include "puzzle/goals/reading/schema_pieces.hpp"
 #include "puzzle/goals/words/goal_text.hpp"

@@ -177,6 +177,10 @@ Json levelSchema(Registry const& registry, Json const& goals) {
     members["mods"]["description"] = "Names of the mods that the level needs, each once.";
     members["world"] = worldSchema(registry);
     members["objects"] = json_schema::listOf(json_schema::reference("object"), limits::objects);
+    members["objects"]["description"] =
+        fmt::format("A world has at most {} objects and joints, with those that composite parts consist of. "
+                    "Such a part consists of at most {}, and parts lie at most {} deep inside one another.",
+                    limits::made, limits::pieces, limits::partDepth);
     if (PropertyInfo const* const joint = registry.objectProperty("joint")) {
         definitions["joint"] = jointSchema(*joint);
         members["joints"] = json_schema::listOf(json_schema::reference("joint"), limits::joints);
