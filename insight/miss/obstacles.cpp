@@ -7,7 +7,6 @@
 #include "runtime/placement.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <set>
 #include <utility>
 
@@ -22,31 +21,35 @@ bool isMagnet(World const& world, ObjectId id) {
     return strength != nullptr && strength->strength > 0;
 }
 
-/// The magnet that the miss is about, or the nearest one; an invalid id if there is none.
+/// The magnet that the miss is about, or the one that would pull the object most strongly if it were on, by
+/// the inverse square; an invalid id if there is none.
 ObjectId magnetFor(Miss const& miss, World const& world, ObjectId mover) {
     for (ObjectId const id : miss.objects) {
         if (id != mover && isMagnet(world, id)) {
             return id;
         }
     }
-    ObjectId nearest;
-    double least = std::numeric_limits<double>::infinity();
+    ObjectId strongest;
+    double most = 0;
     auto const* const column = world.store().findColumn<MagneticStrength>();
     Position const* const from = world.find<Position>(mover);
     if (column == nullptr || from == nullptr) {
-        return nearest;
+        return strongest;
     }
     for (ObjectId const id : column->owners()) {
         Position const* const position = world.find<Position>(id);
         if (id == mover || position == nullptr || !isMagnet(world, id)) {
             continue;
         }
-        if (double const distance = length(position->value - from->value); distance < least) {
-            least = distance;
-            nearest = id;
+        double const distance = length(position->value - from->value);
+        double const pull =
+            column->find(id)->strength / (distance * distance + magneticSoftening * magneticSoftening);
+        if (pull > most) {
+            most = pull;
+            strongest = id;
         }
     }
-    return nearest;
+    return strongest;
 }
 
 Vec2 magneticForceOn(World const& world, ObjectId id) {

@@ -8,8 +8,8 @@ namespace trembler::insight {
 /// Adds to the miss of an object that a magnet can move what the magnets of the world lack: of an
 /// electromagnet that is off the gaps of its circuit; of one that is on, if it pulls with less than the
 /// object's weight, the missing force; of one that pulls it away from where it should be, with more than its
-/// weight, that it holds it back. If the miss is about a magnet, only of that one; else of the one nearest to
-/// the object. Does nothing for other objects.
+/// weight, that it holds it back. If the miss is about a magnet, only of that one; else of the one that
+/// would pull the object most strongly. Does nothing for other objects.
 void addObstacles(Miss& miss, World const& world, CircuitSight& circuits);
 
 /// Adds to the miss of a current the open circuits of electromagnets that would move one of the conductors at
