@@ -94,6 +94,9 @@ Miss missOfTouching(ConditionMiss const& one, World const& world, CircuitSight& 
             keepNearer(best, miss);
         }
     }
+    if (one.state().objects().empty() && best.lack == Lack::change) {
+        best.lack = Lack::absent;
+    }
     addObstacles(best, world, circuits);
     return best;
 }
@@ -180,6 +183,7 @@ Miss missOfCount(ConditionMiss const& one, World const& world, CircuitSight& cir
     if (number > wanted.most) { // too many
         Miss made = otherWayRound(one.state());
         made.lack = Lack::count;
+        made.tooMany = true;
         made.by = number - wanted.most;
         made.measure = made.by / (made.by + 1);
         return made;

@@ -9,9 +9,10 @@ struct LackText {
     std::string_view name;
     std::string_view unit;
 };
-constexpr std::array<LackText, 13> lackTexts{{{"nothing", ""},
+constexpr std::array<LackText, 16> lackTexts{{{"nothing", ""},
                                               {"distance", "m"},
                                               {"gap", "m"},
+                                              {"source", ""},
                                               {"power", "W"},
                                               {"force", "N"},
                                               {"lift", "N"},
@@ -21,6 +22,8 @@ constexpr std::array<LackText, 13> lackTexts{{{"nothing", ""},
                                               {"steps", ""},
                                               {"ways", ""},
                                               {"touches", ""},
+                                              {"held", ""},
+                                              {"absent", ""},
                                               {"change", ""}}};
 
 } // namespace
@@ -41,6 +44,11 @@ void nameObjects(Miss& miss, Store const& store) {
     for (CircuitGap& gap : miss.gaps) {
         gap.nameA = store.nameOf(gap.a);
         gap.nameB = store.nameOf(gap.b);
+        gap.nameBy = gap.by.valid() ? store.nameOf(gap.by) : std::string();
+    }
+    for (CurrentWay& way : miss.ways) {
+        way.nameA = store.nameOf(way.a);
+        way.nameB = store.nameOf(way.b);
     }
     for (Miss& other : miss.besides) {
         nameObjects(other, store);

@@ -17,6 +17,7 @@ enum class Lack : std::uint8_t {
     nothing,  ///< it is met
     distance, ///< m, between two objects or to an area or a place
     gap,      ///< m, of all gaps of a circuit
+    source,   ///< 1: a current has no source that gaps could connect
     power,    ///< W, until an object in a closed circuit is on
     force,    ///< N, that a magnet's pull is less than a weight
     lift,     ///< N, that a liquid's lift is less than a weight
@@ -26,12 +27,22 @@ enum class Lack : std::uint8_t {
     steps,    ///< of a sequence
     ways,     ///< of a current: connections that would have to be opened at least
     touches,  ///< pairs of objects that touch and should not
+    held,     ///< 1: a magnet holds an object back from where it should be
+    absent,   ///< 1: there is no object that another one should touch
     change,   ///< 1: it is the other way round, and there is no measure of how nearly
 };
 /// "distance" ..., as files spell it.
 [[nodiscard]] std::string_view nameOf(Lack lack);
 /// "m", "N" ...; "" for counts.
 [[nodiscard]] std::string_view unitOf(Lack lack);
+
+/// A connection through which a current flows that should not; by the names of its ends.
+struct CurrentWay {
+    ObjectId a;
+    ObjectId b;
+    std::string nameA{};
+    std::string nameB{};
+};
 
 /// How far one condition is from being met at a moment.
 struct Miss {
@@ -47,6 +58,8 @@ struct Miss {
     Vec2 from;                    ///< m, in the world: distance, from here ...
     Vec2 to;                      ///< ... to here
     std::vector<CircuitGap> gaps; ///< of a circuit
+    std::vector<CurrentWay> ways; ///< of Lack::ways: the connections
+    bool tooMany = false;         ///< of Lack::count: too many, else too few
     std::vector<Miss> besides;    ///< what else stood in the way: a magnet that was off; see Aftermath
     std::size_t child = noChild;  ///< of several conditions, the one that this is about
     static constexpr std::size_t noChild = static_cast<std::size_t>(-1);

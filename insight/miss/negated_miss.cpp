@@ -100,10 +100,11 @@ Miss ofTouching(ConditionMiss const& one, World const& world) {
 Miss ofOn(ConditionMiss const& one, World const& world) {
     Miss worst;
     for (ObjectId const id : one.state().subjects()) {
-        if (int const ways = waysOfCurrent(world, id); ways > 0) {
+        if (auto const ways = waysOfCurrent(world, id); !ways.empty()) {
             Miss miss;
             miss.lack = Lack::ways;
-            miss.by = ways;
+            miss.ways = ways;
+            miss.by = static_cast<double>(ways.size());
             miss.measure = miss.by / (miss.by + 1);
             miss.objects = {id};
             keepFarther(worst, miss);
@@ -119,15 +120,18 @@ Miss ofCount(ConditionMiss const& one) {
                                        [](ConditionMiss const& child) { return child.state().met(); }));
     auto const all = static_cast<int>(one.children().size());
     int fewest = std::numeric_limits<int>::max();
+    bool tooMany = true;
     if (wanted.least > 0) {
         fewest = number - wanted.least + 1;
     }
     if (wanted.most < all) {
+        tooMany = fewest <= wanted.most - number + 1;
         fewest = std::min(fewest, wanted.most - number + 1);
     }
     Miss made = unmeasured(one.state());
     if (fewest < std::numeric_limits<int>::max()) {
         made.lack = Lack::count;
+        made.tooMany = tooMany;
         made.by = fewest;
         made.measure = made.by / (made.by + 1);
     }

@@ -1,46 +1,55 @@
 #include "insight/miss/obstacles.hpp"
 
+#include "physics/dynamics/properties/joint.hpp"
 #include "physics/electricity/properties/electrical.hpp"
 #include "physics/gravity/properties.hpp"
 #include "physics/magnetism/properties.hpp"
 #include "runtime/placement.hpp"
 
 #include <algorithm>
-#include <limits>
+#include <set>
+#include <utility>
 
 namespace trembler::insight {
 namespace {
+
+/// m, between the middles of a coil and of what it moves.
+constexpr double coilReach = 1;
 
 bool isMagnet(World const& world, ObjectId id) {
     MagneticStrength const* const strength = world.find<MagneticStrength>(id);
     return strength != nullptr && strength->strength > 0;
 }
 
-/// The magnet that the miss is about, or the nearest one; an invalid id if there is none.
+/// The magnet that the miss is about, or the one that would pull the object most strongly if it were on, by
+/// the inverse square; an invalid id if there is none.
 ObjectId magnetFor(Miss const& miss, World const& world, ObjectId mover) {
     for (ObjectId const id : miss.objects) {
         if (id != mover && isMagnet(world, id)) {
             return id;
         }
     }
-    ObjectId nearest;
-    double least = std::numeric_limits<double>::infinity();
+    ObjectId strongest;
+    double most = 0;
     auto const* const column = world.store().findColumn<MagneticStrength>();
     Position const* const from = world.find<Position>(mover);
     if (column == nullptr || from == nullptr) {
-        return nearest;
+        return strongest;
     }
     for (ObjectId const id : column->owners()) {
         Position const* const position = world.find<Position>(id);
         if (id == mover || position == nullptr || !isMagnet(world, id)) {
             continue;
         }
-        if (double const distance = length(position->value - from->value); distance < least) {
-            least = distance;
-            nearest = id;
+        double const distance = length(position->value - from->value);
+        double const pull =
+            column->find(id)->strength / (distance * distance + magneticSoftening * magneticSoftening);
+        if (pull > most) {
+            most = pull;
+            strongest = id;
         }
     }
-    return nearest;
+    return strongest;
 }
 
 Vec2 magneticForceOn(World const& world, ObjectId id) {
@@ -65,13 +74,70 @@ double weightOf(World const& world, ObjectId id) {
     return at == gravity->forces.end() ? 0 : length(at->force);
 }
 
+bool isMagnetic(World const& world, ObjectId id) {
+    MagneticStrength const* const strength = world.find<MagneticStrength>(id);
+    return strength != nullptr && strength->susceptibility > 0 && strength->strength <= 0;
+}
+
+bool isJointed(World const& world, ObjectId id) {
+    auto const* const joints = world.store().findColumn<Joint>();
+    return joints != nullptr &&
+           std::any_of(joints->owners().begin(), joints->owners().end(), [&](ObjectId owner) {
+               Joint const& joint = *joints->find(owner);
+               return joint.a == id || joint.b == id;
+           });
+}
+
+/// Whether an electromagnet has no current.
+bool isAsleep(World const& world, ObjectId magnet) {
+    auto const* const state = world.find<ElectricalState>();
+    return world.find<Electromagnet>(magnet) != nullptr && (state == nullptr || !state->isOn(magnet));
+}
+
+/// The gaps of the circuit of an electromagnet that is off.
+Miss missOfCoil(World const& world, ObjectId magnet, CircuitSight& circuits) {
+    CircuitCut const& cut = circuits.cutAt(world, magnet);
+    Miss miss;
+    miss.objects = {magnet};
+    miss.lack = cut.hopeless ? Lack::source : cut.gaps.empty() ? Lack::change : Lack::gap;
+    miss.by = cut.gaps.empty() ? 1 : cut.width;
+    miss.gaps = cut.gaps;
+    return miss;
+}
+
 } // namespace
 
+void addSleepingCoils(Miss& miss, World const& world, CircuitSight& circuits) {
+    auto const* const coils = world.store().findColumn<Electromagnet>();
+    std::set<ObjectId> movers;
+    for (CircuitGap const& gap : miss.gaps) {
+        for (ObjectId const id : {gap.a, gap.b}) {
+            if (gap.reason == GapReason::apart && isMagnetic(world, id) && isJointed(world, id)) {
+                movers.insert(id);
+            }
+        }
+    }
+    if (coils == nullptr || movers.empty()) {
+        return;
+    }
+    auto const moves = [&](ObjectId coil) {
+        Position const* const at = world.find<Position>(coil);
+        return at != nullptr && std::any_of(movers.begin(), movers.end(), [&](ObjectId mover) {
+                   Position const* const from = world.find<Position>(mover);
+                   return from != nullptr && mover != coil && length(from->value - at->value) <= coilReach;
+               });
+    };
+    for (ObjectId const coil : coils->owners()) {
+        bool const asked = std::find(miss.objects.begin(), miss.objects.end(), coil) != miss.objects.end();
+        if (!asked && isAsleep(world, coil) && moves(coil)) {
+            miss.besides.push_back(missOfCoil(world, coil, circuits));
+        }
+    }
+}
+
 void addObstacles(Miss& miss, World const& world, CircuitSight& circuits) {
-    auto const mover = std::find_if(miss.objects.begin(), miss.objects.end(), [&](ObjectId id) {
-        MagneticStrength const* const strength = world.find<MagneticStrength>(id);
-        return strength != nullptr && strength->susceptibility > 0 && strength->strength <= 0;
-    });
+    auto const mover = std::find_if(miss.objects.begin(), miss.objects.end(),
+                                    [&](ObjectId id) { return isMagnetic(world, id); });
     if (mover == miss.objects.end()) {
         return;
     }
@@ -79,23 +145,22 @@ void addObstacles(Miss& miss, World const& world, CircuitSight& circuits) {
     if (!magnet.valid()) {
         return;
     }
-    Miss other;
-    other.objects = {magnet};
-    auto const* const state = world.find<ElectricalState>();
-    bool const switched = world.find<Electromagnet>(magnet) != nullptr;
-    if (switched && (state == nullptr || !state->isOn(magnet))) {
-        CircuitCut const& cut = circuits.cutAt(world, magnet);
-        other.lack = cut.gaps.empty() ? Lack::change : Lack::gap;
-        other.by = cut.gaps.empty() ? 1 : cut.width;
-        other.gaps = cut.gaps;
-        miss.besides.push_back(std::move(other));
+    if (isAsleep(world, magnet)) {
+        miss.besides.push_back(missOfCoil(world, magnet, circuits));
         return;
     }
-    double const missing = weightOf(world, *mover) - length(magneticForceOn(world, *mover));
+    Miss other;
+    other.objects = {magnet, *mover};
+    Vec2 const pull = magneticForceOn(world, *mover);
+    double const missing = weightOf(world, *mover) - length(pull);
+    bool const isWanted = std::find(miss.objects.begin(), miss.objects.end(), magnet) != miss.objects.end();
     if (missing > 0) {
         other.lack = Lack::force;
         other.by = missing;
-        other.objects = {magnet, *mover};
+        miss.besides.push_back(std::move(other));
+    } else if (!isWanted && dot(pull, miss.to - miss.from) < 0) {
+        other.lack = Lack::held;
+        other.by = 1;
         miss.besides.push_back(std::move(other));
     }
 }

@@ -1,6 +1,7 @@
 #include "insight/run/level_runs.hpp"
 
 #include "insight/run/contacts_left_out.hpp"
+#include "insight/run/devices_left_out.hpp"
 #include "insight/run/dips_left_out.hpp"
 #include "insight/run/reduced_level.hpp"
 #include "lua/attach/live_script.hpp"
@@ -20,34 +21,48 @@ namespace {
 
 constexpr std::uint64_t minute = 3600; // frames
 
-/// The contacts and dips that are left out, in a running world.
-class TouchesGone {
+/// What is left out of a running world.
+class LeftOutLater {
 public:
-    explicit TouchesGone(std::vector<LeftOut> const& wanted) : wanted_(wanted) {}
+    explicit LeftOutLater(std::vector<LeftOut> const& wanted) : wanted_(wanted) {}
 
-    /// Lets those begin to be missing that are due in the next frame.
+    /// Lets that begin to be missing which is due in the next frame.
     void beforeFrame(LevelRun& run) {
         std::uint64_t const next = run.world().frame() + 1;
         std::vector<Dip> dips;
-        bool more = false;
+        std::vector<ObjectId> stilled;
+        std::vector<ObjectId> held;
+        bool contacts = false;
         for (; done_ < wanted_.size() && wanted_[done_].from <= next; ++done_) {
+            LeftOut const& one = wanted_[done_];
+            bool const isPair = one.kind == LeftOut::Kind::dip || one.kind == LeftOut::Kind::contact;
             Store const& store = run.world().store();
-            ObjectPair const pair{store.find(wanted_[done_].a), store.find(wanted_[done_].b)};
-            if (!pair.first.valid() || !pair.second.valid()) {
-                continue; // one of them does not exist in this run
+            ObjectPair const pair{store.find(one.a), isPair ? store.find(one.b) : ObjectId{}};
+            if (!pair.first.valid() || (isPair && !pair.second.valid())) {
+                continue; // it does not exist in this run
             }
-            if (wanted_[done_].kind == LeftOut::Kind::dip) {
+            if (one.kind == LeftOut::Kind::dip) {
                 dips.push_back(pair);
+            } else if (one.kind == LeftOut::Kind::device) {
+                stilled.push_back(pair.first);
+            } else if (one.kind == LeftOut::Kind::switching) {
+                held.push_back(pair.first);
             } else {
                 pairs_.push_back(pair);
-                more = true;
+                contacts = true;
             }
         }
         if (!dips.empty()) {
             run.alter("dips are left out", [&](World& world) { leaveOutDips(world, dips); });
         }
-        if (more) {
+        if (contacts) {
             run.alter("contacts are left out", [&](World& world) { leaveOutContacts(world, pairs_); });
+        }
+        if (!stilled.empty()) {
+            run.alter("devices are left out", [&](World& world) { stillDevices(world, stilled); });
+        }
+        if (!held.empty()) {
+            run.alter("magnets are not switched", [&](World& world) { holdMagnets(world, held); });
         }
     }
 
@@ -132,7 +147,7 @@ RunResult LevelRuns::run(Variation const& variation, RunLimits const& limits,
         LevelRun run(registryWithout(left.effects), parts_, left.level, left.solution.placements, options,
                      left.solution.wires);
         Playback const playback(left.solution.inputs, left.solution.changes);
-        TouchesGone touches(left.touches);
+        LeftOutLater later(left.later);
         if (observer.begin) {
             observer.begin(run);
         }
@@ -140,7 +155,7 @@ RunResult LevelRuns::run(Variation const& variation, RunLimits const& limits,
         bool goesOn = true;
         while (goesOn && run.world().frame() < limits.frames &&
                !(limits.stopWhenSolved && run.judge().solved())) {
-            touches.beforeFrame(run);
+            later.beforeFrame(run);
             playback.feed(run);
             run.step();
             goesOn = !observer.frame || observer.frame(run);

@@ -87,18 +87,20 @@ ReducedLevel reduced(LevelFile const& level, Variation const& variation) {
             break;
         case LeftOut::Kind::contact:
         case LeftOut::Kind::dip:
-            left.touches.push_back(one);
+        case LeftOut::Kind::device:
+        case LeftOut::Kind::switching:
+            left.later.push_back(one);
             break;
         default:
             indices[one.kind].insert(one.index);
         }
     }
-    std::sort(left.touches.begin(), left.touches.end(),
+    std::sort(left.later.begin(), left.later.end(),
               [](LeftOut const& x, LeftOut const& y) { return x.from < y.from; });
     PlacedNames const names = namesWithout(level, variation);
-    for (LeftOut& touch : left.touches) {
-        touch.a = names.inReduced(touch.a);
-        touch.b = names.inReduced(touch.b);
+    for (LeftOut& one : left.later) {
+        one.a = names.inReduced(one.a);
+        one.b = names.inReduced(one.b);
     }
     left.solution = without(level, std::move(left.solution), indices);
     for (std::string const& effect : left.effects) {

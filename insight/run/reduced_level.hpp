@@ -15,7 +15,7 @@ struct ReducedLevel {
     LevelFile level;
     Solution solution;
     std::set<std::string> effects; ///< left out
-    std::vector<LeftOut> touches;  ///< contacts and dips left out, ascending by their first frame
+    std::vector<LeftOut> later;    ///< what is left out of the running world, ascending by its first frame
 };
 
 /// Takes a variation's placements, wires, inputs, objects, joints and connections out. With an object go its

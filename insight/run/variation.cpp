@@ -50,6 +50,18 @@ LeftOut withoutDip(std::string object, std::string liquid, std::uint64_t from) {
     return made;
 }
 
+LeftOut withoutDevice(std::string object, std::uint64_t from) {
+    LeftOut made = leftOutNamed(LeftOut::Kind::device, std::move(object));
+    made.from = from;
+    return made;
+}
+
+LeftOut withoutSwitching(std::string magnet, std::uint64_t from) {
+    LeftOut made = leftOutNamed(LeftOut::Kind::switching, std::move(magnet));
+    made.from = from;
+    return made;
+}
+
 LeftOut withoutEffect(std::string name) {
     return leftOutNamed(LeftOut::Kind::effect, std::move(name));
 }

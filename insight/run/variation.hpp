@@ -18,13 +18,15 @@ struct LeftOut {
         input,     ///< of the solution, by index
         contact,   ///< two objects pass through each other from a frame on, by their names
         dip,       ///< a liquid does not act on an object from a frame on, by their names
+        device,    ///< a magnet or a motor does nothing from a frame on, by its name
+        switching, ///< an electromagnet is not switched from a frame on, by its name
         effect,    ///< of physics, by name, see dispensableGameEffects()
     };
     Kind kind = Kind::placement;
     std::size_t index = 0;  ///< in the solution's list
-    std::string a{};        ///< contact, dip: a name; effect: its name
+    std::string a{};        ///< contact, dip, device, switching: a name; effect: its name
     std::string b{};        ///< contact: the other name; dip: the liquid's
-    std::uint64_t from = 1; ///< contact, dip: the first frame without it
+    std::uint64_t from = 1; ///< contact, dip, device, switching: the first frame without it
 
     friend auto operator<=>(LeftOut const&, LeftOut const&) = default;
 };
@@ -35,6 +37,8 @@ struct LeftOut {
 /// The names in either order.
 [[nodiscard]] LeftOut withoutContact(std::string a, std::string b, std::uint64_t from = 1);
 [[nodiscard]] LeftOut withoutDip(std::string object, std::string liquid, std::uint64_t from = 1);
+[[nodiscard]] LeftOut withoutDevice(std::string object, std::uint64_t from);
+[[nodiscard]] LeftOut withoutSwitching(std::string magnet, std::uint64_t from);
 [[nodiscard]] LeftOut withoutEffect(std::string name);
 
 /// The order of `leftOut` does not matter, and neither do repeats.

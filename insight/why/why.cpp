@@ -12,8 +12,18 @@
 namespace trembler::insight {
 namespace {
 
+/// Whether a step is a contact that is taken for granted with something of which the question does not speak.
+bool isGround(Step const& step, Story const& story, SceneFacts const& facts) {
+    std::vector<std::string> const& asked = story.askedStep().objects;
+    return isGranted(step, facts) &&
+           std::none_of(step.objects.begin(), step.objects.end(), [&](std::string const& name) {
+               return facts.fixed.contains(name) &&
+                      std::find(asked.begin(), asked.end(), name) != asked.end();
+           });
+}
+
 /// The steps that are shown: what was confirmed, what leads from there to the asked step, and what it follows
-/// from directly.
+/// from directly; the ground only if it is asked for, or nothing else is known.
 std::vector<bool> shownSteps(Story const& story, std::vector<Proof> const& proofs, SceneFacts const& facts,
                              bool everything) {
     std::vector<bool> shown(story.steps.size());
@@ -21,11 +31,15 @@ std::vector<bool> shownSteps(Story const& story, std::vector<Proof> const& proof
     bool any = false;
     for (std::size_t i = 0; i < story.steps.size(); ++i) {
         bool const known = proofs[i] == Proof::confirmed || proofs[i] == Proof::together;
-        shown[i] = shown[i] || known;
-        any = any || known;
+        bool const told = known && (everything || !isGround(story.steps[i], story, facts));
+        shown[i] = shown[i] || told;
+        any = any || (told && i != story.asked);
+    }
+    for (std::size_t i = 0; i < story.steps.size() && !any; ++i) {
+        shown[i] = shown[i] || proofs[i] == Proof::confirmed || proofs[i] == Proof::together;
     }
     for (std::size_t const i : story.askedStep().because) {
-        if (proofs[i] != Proof::refuted && (everything || !any || !isGranted(story.steps[i], facts))) {
+        if (proofs[i] != Proof::refuted && (everything || !any || !isGround(story.steps[i], story, facts))) {
             shown[i] = true;
         }
     }
@@ -93,8 +107,8 @@ void joinDips(Story const& story, std::vector<bool>& shown) {
 }
 
 /// For each shown step its nearest shown ancestors, without the ancestors from which another one of them
-/// follows. The contacts that close a circuit are causes side by side: that one came before the other is no
-/// reason for it.
+/// follows. The contacts that close or bridge a circuit are causes side by side: that one came before the
+/// other is no reason for it.
 std::vector<StepSet> shownCauses(Story const& story, std::vector<bool> const& shown) {
     std::size_t const count = story.steps.size();
     std::vector<StepSet> nearest = nearestShown(story, shown);
@@ -104,9 +118,10 @@ std::vector<StepSet> shownCauses(Story const& story, std::vector<bool> const& sh
     std::vector<StepSet> beside(count);
     for (std::size_t i = 0; i < count; ++i) {
         for (std::size_t const cause : nearest[i]) {
-            bool const closes =
-                story.steps[i].kind == StepKind::on && story.steps[cause].kind == StepKind::contact;
-            if (shown[i] && closes) {
+            StepKind const kind = story.steps[i].kind;
+            bool const switches = (kind == StepKind::on || kind == StepKind::off) &&
+                                  story.steps[cause].kind == StepKind::contact;
+            if (shown[i] && switches) {
                 beside[cause].insert(nearest[i].begin(), nearest[i].end());
             }
         }

@@ -1,6 +1,8 @@
 #!/usr/bin/env bash
-# Checks that docs/measurements/levels.md says of the first chapter what the program says, in some seconds; the page as a
-# whole takes minutes.
+# Checks that docs/measurements/levels.md says of the first chapter what the program says, and of every level how many
+# solutions of how many kinds it has, in about a minute; the page as a whole takes many. No level may fall short of what
+# docs/solving.md expects of a puzzle: two kinds, not solved by an empty toolbox, which are computed here, and what the page
+# says of displaced and of dropped parts.
 set -euo pipefail
 if [[ ! -x build/trembler ]]; then
     echo "build/trembler has not been built"
@@ -15,6 +17,16 @@ fi
 short=$(scripts/levels-report build/trembler --short)
 if [[ $(<"$page") != *"$short"* ]]; then
     diff -u <(sed -n '/^### levels\/first\//,/^### levels\/[^f]/p' "$page" | sed '/^### levels\/[^f]/d') <(echo "$short") || true
+    echo "$page is stale: scripts/levels-report build/trembler >$page"
+    exit 1
+fi
+short_of=$(grep '^| levels/' "$page" | awk -F'|' '$7 !~ /^ *$/')
+if [[ -n $short_of ]]; then
+    printf 'levels that fall short of what is expected of a puzzle:\n%s\n' "$short_of"
+    exit 1
+fi
+kinds() { grep '^| levels/' | cut -d '|' -f 2-4,7; }
+if ! diff -u <(kinds <"$page") <(scripts/levels-report build/trembler --kinds | kinds); then
     echo "$page is stale: scripts/levels-report build/trembler >$page"
     exit 1
 fi

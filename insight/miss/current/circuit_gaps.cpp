@@ -1,10 +1,14 @@
 #include "insight/miss/current/circuit_gaps.hpp"
 
+#include "audio/effect/properties/acoustics.hpp"
+#include "insight/miss/current/switched_links.hpp"
 #include "insight/miss/current/two_paths.hpp"
+#include "physics/dynamics/properties/body.hpp"
 #include "physics/dynamics/properties/shapes/overlap.hpp"
 #include "physics/electricity/properties/electrical.hpp"
 #include "physics/electricity/properties/graph.hpp"
 #include "physics/electricity/properties/scene_level.hpp"
+#include "physics/magnetism/properties.hpp"
 #include "runtime/placement.hpp"
 
 #include <algorithm>
@@ -13,9 +17,6 @@
 
 namespace trembler::insight {
 namespace {
-
-/// A gap costs at least this, in m: a touch that conducts nothing is worse than a connection.
-constexpr double leastGapCost = 1e-4;
 
 template <class P>
 P const* entryOf(Store const& store, ObjectId id) {
@@ -65,14 +66,56 @@ std::vector<std::string> networksOf(Store const& store) {
     return {names.begin(), names.end()};
 }
 
+/// Whether the gap lies between the source and the return of a network that is not this one, as the ends of a
+/// battery in the circuit of another one.
+bool areEndsOfOther(Store const& store, CircuitGap const& gap, std::string const& network) {
+    auto const isBetween = [&](ObjectId from, ObjectId to) {
+        ElectricalSource const* const source = entryOf<ElectricalSource>(store, from);
+        ElectricalReturn const* const back = entryOf<ElectricalReturn>(store, to);
+        return source != nullptr && back != nullptr && source->network == back->network &&
+               source->network != network;
+    };
+    return gap.reason == GapReason::apart && (isBetween(gap.a, gap.b) || isBetween(gap.b, gap.a));
+}
+
+CollisionGroups groupsOf(Store const& store, ObjectId id) {
+    CollisionGroups const* const stated = entryOf<CollisionGroups>(store, id);
+    return stated == nullptr ? CollisionGroups{} : *stated;
+}
+
+/// Whether a touch of the two is a likely way to close a circuit: not of what passes through each other, and
+/// not of a coil, which is connected by wires.
+bool isContact(Store const& store, ObjectId a, ObjectId b) {
+    return canHit(groupsOf(store, a), groupsOf(store, b)) && entryOf<Electromagnet>(store, a) == nullptr &&
+           entryOf<Electromagnet>(store, b) == nullptr;
+}
+
 } // namespace
+
+std::string_view nameOf(GapReason reason) {
+    switch (reason) {
+    case GapReason::slow:
+        return "slow";
+    case GapReason::quiet:
+        return "quiet";
+    case GapReason::blown:
+        return "blown";
+    case GapReason::foreign:
+        return "foreign";
+    case GapReason::apart:
+        break;
+    }
+    return "apart";
+}
 
 void CircuitSight::look(World const& world) {
     Store const& store = world.store();
     std::uint64_t const positions = versionOf<Position>(store);
     std::uint64_t const rotations = versionOf<Rotation>(store);
     std::uint64_t const graph = versionOf<ElectricityGraph>(store);
-    bool const still = positions == positions_ && rotations == rotations_;
+    auto const* const sensors = store.findColumn<SoundSensor>();
+    bool const hears = sensors != nullptr && sensors->size() > 0; // sounds fade without any motion
+    bool const still = positions == positions_ && rotations == rotations_ && !hears;
     if (known_ && graph == graph_ && (still || world.frame() < lookedIn_ + patience)) {
         return;
     }
@@ -93,6 +136,7 @@ void CircuitSight::look(World const& world) {
         placed.push_back(placedConductorOf(store, id));
     }
     auto const* const connections = store.findColumn<ElectricityGraph>();
+    SwitchedLinks const switched(world);
     for (std::size_t a = 0; a < conductors_.size(); ++a) {
         ElectricityGraph const* const row =
             connections == nullptr ? nullptr : connections->find(conductors_[a]);
@@ -103,17 +147,23 @@ void CircuitSight::look(World const& world) {
                                               [&](auto const& connection) { return connection.to == other; });
             if (connected) {
                 links_.push_back({a, b, {.a = conductors_[a], .b = other}});
-            } else if (placed[a] && placed[b] && leastDistance(*placed[a], *placed[b]) <= widest) {
-                ShapeGap const gap = gapBetween(placed[a]->placed, placed[b]->placed);
-                if (gap.width <= widest) {
-                    links_.push_back({a,
-                                      b,
-                                      {.a = conductors_[a],
-                                       .b = other,
-                                       .width = std::max(gap.width, leastGapCost),
-                                       .from = gap.a,
-                                       .to = gap.b}});
-                }
+                continue;
+            }
+            if (auto const link = switched.between(conductors_[a], other)) {
+                links_.push_back({a, b, *link});
+            }
+            if (!placed[a] || !placed[b] || leastDistance(*placed[a], *placed[b]) > widest) {
+                continue;
+            }
+            ShapeGap const gap = gapBetween(placed[a]->placed, placed[b]->placed);
+            if (gap.width <= widest) {
+                CircuitGap made{.a = conductors_[a], .b = other};
+                made.width = std::max(gap.width, leastGapCost);
+                made.cost = made.width + (isContact(store, conductors_[a], other) ? 0 : widest);
+                made.from = gap.a;
+                made.to = gap.b;
+                switched.addBlown(made);
+                links_.push_back({a, b, std::move(made)});
             }
         }
     }
@@ -140,7 +190,7 @@ CircuitCut CircuitSight::cutIn(World const& world, std::size_t object, std::stri
     for (std::size_t i = 0; i < links_.size(); ++i) {
         Link const& link = links_[i];
         if (isOf(conductors_[link.a]) && isOf(conductors_[link.b])) {
-            paths.link(link.a, link.b, link.gap.width, i);
+            paths.link(link.a, link.b, link.gap.cost, i);
         }
     }
     CircuitCut cut;
@@ -148,9 +198,13 @@ CircuitCut CircuitSight::cutIn(World const& world, std::size_t object, std::stri
     cut.hopeless = !found.has_value();
     if (found) {
         for (std::size_t const used : *found) {
-            if (links_[used].gap.width > 0) {
+            if (links_[used].gap.cost > 0) {
                 cut.gaps.push_back(links_[used].gap);
-                cut.width += links_[used].gap.width;
+                if (areEndsOfOther(store, cut.gaps.back(), network)) {
+                    cut.gaps.back().reason = GapReason::foreign;
+                }
+                cut.width += links_[used].gap.reason == GapReason::apart ? links_[used].gap.width : 0;
+                cut.cost += links_[used].gap.cost;
             }
         }
         std::sort(cut.gaps.begin(), cut.gaps.end(), [](CircuitGap const& x, CircuitGap const& y) {
@@ -175,7 +229,7 @@ CircuitCut const& CircuitSight::cutAt(World const& world, ObjectId object) {
         for (std::string const& network : networksOf(world.store())) {
             CircuitCut cut =
                 cutIn(world, static_cast<std::size_t>(place - conductors_.begin()), network, onePath);
-            if (!cut.hopeless && (best.hopeless || cut.width < best.width)) {
+            if (!cut.hopeless && (best.hopeless || cut.cost < best.cost)) {
                 best = std::move(cut);
             }
         }

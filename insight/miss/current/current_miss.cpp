@@ -2,11 +2,13 @@
 
 #include "insight/miss/condition_miss.hpp"
 #include "insight/miss/current/ways_of_current.hpp"
+#include "insight/miss/obstacles.hpp"
 #include "physics/electricity/analyses/nodal.hpp"
 #include "physics/electricity/properties/quantities.hpp"
 #include "physics/electricity/properties/ratings.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace trembler::insight {
 namespace current_miss {
@@ -37,8 +39,13 @@ Miss missOfOn(ConditionState const& state, World const& world, CircuitSight& cir
             miss.by = cut.width;
             miss.gaps = cut.gaps;
             miss.measure = current_miss::shareOfPower +
-                           (1 - current_miss::shareOfPower) * cut.width / (cut.width + typicalDistance);
-        } else if (!cut.hopeless) {
+                           (1 - current_miss::shareOfPower) * cut.cost / (cut.cost + typicalDistance);
+        } else if (cut.hopeless) {
+            if (best.lack == Lack::change) { // what has a measure says more
+                best.lack = Lack::source;
+                best.objects = {id};
+            }
+        } else {
             RatedPower const* const rated = world.find<RatedPower>(id);
             auto const* const quantities = world.find<ElectricalQuantities>();
             auto const* const entry = quantities == nullptr ? nullptr : quantities->find(id);
@@ -55,17 +62,20 @@ Miss missOfOn(ConditionState const& state, World const& world, CircuitSight& cir
             best = miss;
         }
     }
+    addSleepingCoils(best, world, circuits);
     return best;
 }
 
 Miss missOfOff(ConditionState const& state, World const& world) {
     Miss best = current_miss::unmeasured(state);
     for (ObjectId const id : state.subjects()) {
-        int const ways = waysOfCurrent(world, id);
-        double const measure = static_cast<double>(ways) / (ways + 1);
-        if (ways > 0 && measure < best.measure) {
+        std::vector<CurrentWay> ways = waysOfCurrent(world, id);
+        auto const number = static_cast<double>(ways.size());
+        double const measure = number / (number + 1);
+        if (!ways.empty() && measure < best.measure) {
             best.lack = Lack::ways;
-            best.by = ways;
+            best.ways = std::move(ways);
+            best.by = number;
             best.measure = measure;
             best.objects = {id};
         }

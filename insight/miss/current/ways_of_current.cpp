@@ -20,13 +20,18 @@ class WayFinder {
 public:
     explicit WayFinder(Column<ElectricityGraph> const& graph) : graph_(graph) {}
 
-    /// How many paths lead to objects of the column that share no connection.
+    /// The connections that separate an object from those of the column if all of them are opened, as few as
+    /// that takes: a minimum cut, the one nearest to the object. Empty if it is not connected with any.
     template <class End>
-    [[nodiscard]] int count(ObjectId from, Column<End> const* ends) {
+    [[nodiscard]] std::vector<CurrentWay> cut(ObjectId from, Column<End> const* ends) {
         used_.clear();
-        int found = 0;
         while (ends != nullptr && add(from, *ends)) {
-            ++found;
+        }
+        std::vector<CurrentWay> found;
+        for (auto const& [a, b] : used_) {
+            if (reached_.contains(a) && !reached_.contains(b)) {
+                found.push_back({a, b});
+            }
         }
         return found;
     }
@@ -35,7 +40,8 @@ private:
     /// Finds one more path, giving way on connections that earlier ones use in the other direction.
     template <class End>
     bool add(ObjectId from, Column<End> const& ends) {
-        std::map<ObjectId, ObjectId> before{{from, from}};
+        std::map<ObjectId, ObjectId>& before = reached_;
+        before = {{from, from}};
         std::deque<ObjectId> open{from};
         std::optional<ObjectId> end;
         while (!open.empty() && !end) {
@@ -70,27 +76,31 @@ private:
 
     Column<ElectricityGraph> const& graph_;
     std::set<Way> used_;
+    std::map<ObjectId, ObjectId> reached_; // in the last search, each from another one
 };
 
 } // namespace
 
-int waysOfCurrent(World const& world, ObjectId object) {
+std::vector<CurrentWay> waysOfCurrent(World const& world, ObjectId object) {
     Store const& store = world.store();
     auto const* const graph = store.findColumn<ElectricityGraph>();
     auto const* const sources = store.findColumn<ElectricalSource>();
     auto const* const returns = store.findColumn<ElectricalReturn>();
     if (graph == nullptr || graph->find(object) == nullptr) {
-        return 0;
+        return {};
     }
     WayFinder finder(*graph);
     bool const isSource = sources != nullptr && sources->has(object);
     bool const isReturn = returns != nullptr && returns->has(object);
-    int const toSources = finder.count(object, sources);
-    int const toReturns = finder.count(object, returns);
-    if (isSource || isReturn) {
-        return isSource && isReturn ? 0 : isSource ? toReturns : toSources;
+    auto toSources = finder.cut(object, sources);
+    auto toReturns = finder.cut(object, returns);
+    if (isSource && isReturn) {
+        return {};
     }
-    return returns == nullptr || returns->size() == 0 ? toSources : std::min(toSources, toReturns);
+    bool const bySources =
+        isReturn ||
+        (!isSource && (returns == nullptr || returns->size() == 0 || toSources.size() <= toReturns.size()));
+    return bySources ? toSources : toReturns;
 }
 
 } // namespace trembler::insight

@@ -194,7 +194,7 @@ void SecondRuns::noteVanished(Tested& tested, std::vector<std::size_t> const& fr
 }
 
 void SecondRuns::note(Tested& tested, std::vector<std::size_t> const& steps, Outcome const& outcome,
-                      Proof proof) const {
+                      Proof proof) {
     Story const& story = target_.story;
     for (std::size_t const step : steps) {
         tested.proofs[step] = proof;
@@ -207,10 +207,7 @@ void SecondRuns::note(Tested& tested, std::vector<std::size_t> const& steps, Out
                 tested.proofs[effect] == Proof::refuted || isGranted(story.steps[effect], facts_))) {
             ++effect;
         }
-        auto const bridge = story.bridges.find(step);
-        bool const bridged =
-            bridge != story.bridges.end() && bridge->second < effect && !outcome.steps[bridge->second];
-        tested.effects[bridged ? bridge->second : step] = effect;
+        tested.effects[bridgeFor(tested, step, effect, outcome).value_or(step)] = effect;
     }
     noteVanished(tested, steps, outcome, proof);
 }

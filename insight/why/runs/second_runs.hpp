@@ -7,6 +7,7 @@
 #include <atomic>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <vector>
 
 namespace trembler::insight {
@@ -61,10 +62,17 @@ private:
     /// Counts a run; false, and does not, if no further ones are wanted.
     bool noteRun(std::size_t planned);
     [[nodiscard]] bool stops();
+    /// The end of the first bridge from a deed that did not happen in the run without the deed, and by which
+    /// the deed acted: without what its device does, what was asked about does not happen either. All other
+    /// bridges of the deed are refuted. Nothing if there is none.
+    [[nodiscard]] std::optional<std::size_t> bridgeFor(Tested& tested, std::size_t deed, std::size_t effect,
+                                                       Outcome const& outcome);
+    /// Whether what was asked about does not happen if a device does not do what this step of a bridge
+    /// switches; of a current through anything else it is taken for granted.
+    [[nodiscard]] bool mediates(Step const& end);
     /// Marks the steps of candidates without which it is prevented, finds the effects of those that are not
     /// traced, and confirms what vanished between them and the end.
-    void note(Tested& tested, std::vector<std::size_t> const& steps, Outcome const& outcome,
-              Proof proof) const;
+    void note(Tested& tested, std::vector<std::size_t> const& steps, Outcome const& outcome, Proof proof);
     void noteVanished(Tested& tested, std::vector<std::size_t> const& from, Outcome const& outcome,
                       Proof proof) const;
     /// If what was asked about does not happen without all of these candidates: a smallest set of them.

@@ -87,22 +87,34 @@ public:
     }
 
     void add(Step const& deed) {
-        std::size_t before = entries_.size();
-        deeds_.push_back(before);
+        std::size_t const own = entries_.size();
+        std::vector<std::size_t>& ends = ends_[own];
         entries_.push_back({deed, {}});
-        for (std::size_t const i : bridgeOf(deed)) {
-            Event const& event = events_[i];
-            bool const known = std::any_of(story_.steps.begin(), story_.steps.end(),
-                                           [&](Step const& step) { return step.event == event.id; });
-            if (known) { // the bridge would join the story, so the trace connects them after all
-                continue;
+        std::map<std::size_t, std::size_t> entryOf; // of an event of its bridges
+        for (Bridge const& bridge : bridgesOf(deed)) {
+            for (Bridge::Link const& link : bridge.links) {
+                Event const& event = events_[link.event];
+                bool const known = std::any_of(story_.steps.begin(), story_.steps.end(),
+                                               [&](Step const& step) { return step.event == event.id; });
+                // A step that is known would join the story, so the trace connects them after all.
+                if (known || entryOf.contains(link.event)) {
+                    continue;
+                }
+                Step step = stepFor(event);
+                step.bridge = true;
+                std::vector<std::size_t> because;
+                for (std::size_t const cause : link.because) {
+                    if (auto const at = entryOf.find(cause); at != entryOf.end()) {
+                        because.push_back(at->second);
+                    }
+                }
+                entryOf.emplace(link.event, entries_.size());
+                entries_.push_back({std::move(step), because.empty() ? std::vector{own} : because});
             }
-            Step step = stepFor(event);
-            step.bridge = true;
-            entries_.push_back({std::move(step), {before}});
-            before = entries_.size() - 1;
+            if (auto const end = entryOf.find(bridge.links.back().event); end != entryOf.end()) {
+                ends.push_back(end->second);
+            }
         }
-        ends_.push_back(before);
     }
 
     /// In the order of the trace, placements and wires first.
@@ -127,9 +139,9 @@ public:
             made.steps.push_back(std::move(step));
         }
         made.asked = placeOf[story_.asked];
-        for (std::size_t i = 0; i < deeds_.size(); ++i) {
-            if (ends_[i] != deeds_[i]) {
-                made.bridges.emplace(placeOf[deeds_[i]], placeOf[ends_[i]]);
+        for (auto const& [deed, ends] : ends_) {
+            for (std::size_t const end : ends) {
+                made.bridges[placeOf[deed]].push_back(placeOf[end]);
             }
         }
         return made;
@@ -142,7 +154,7 @@ private:
     };
 
     /// Where the trace says what followed from the deed: of a placement, what its pieces touched.
-    [[nodiscard]] std::vector<std::size_t> bridgeOf(Step const& deed) const {
+    [[nodiscard]] std::vector<Bridge> bridgesOf(Step const& deed) const {
         bool const placed = deed.kind == StepKind::placed;
         std::vector<std::size_t> first;
         for (std::size_t i = 0; i < events_.size(); ++i) {
@@ -152,7 +164,7 @@ private:
             }
         }
         Step const& asked = story_.askedStep();
-        return first.empty() ? first : bridgeFrom(events_, first, placed, asked.objects, asked.event);
+        return bridgesFrom(events_, first, placed, facts_.motors, asked.objects, asked.event);
     }
 
     [[nodiscard]] bool isPieceOf(Step const& deed, Event const& event) const {
@@ -166,9 +178,8 @@ private:
     Story const& story_;
     std::span<Event const> events_;
     SceneFacts const& facts_;
-    std::vector<Entry> entries_;     // the story's, then the others
-    std::vector<std::size_t> deeds_; // places of what was added ...
-    std::vector<std::size_t> ends_;  // ... and of the ends of their bridges, or the same
+    std::vector<Entry> entries_;                           // the story's, then the others
+    std::map<std::size_t, std::vector<std::size_t>> ends_; // of each deed that was added, of its bridges
 };
 
 } // namespace

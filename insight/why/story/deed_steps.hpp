@@ -35,8 +35,8 @@ private:
 
 /// A story with a step for everything that the player did up to the moment that was asked about. What the
 /// trace does not connect with it has no effects there, and `Step::traced` is false; what the trace does say
-/// of its consequences is in the story as well, as a bridge: a magnet that it switched, or a current through
-/// one of the asked objects, see bridgeFrom(). `events` is the trace of the story.
+/// of its consequences is in the story as well, as bridges: to the magnets and motors that it switched, and
+/// to a current through one of the asked objects, see bridgesFrom(). `events` is the trace of the story.
 [[nodiscard]] Story withDeeds(Story const& story, Solution const& solution, SceneFacts const& facts,
                               std::span<Event const> events);
 

@@ -1,8 +1,10 @@
 #include "insight/why/story/scene_facts.hpp"
 
+#include "audio/effect/properties/acoustics.hpp"
 #include "physics/dynamics/properties/body.hpp"
 #include "physics/dynamics/properties/joint.hpp"
 #include "physics/electricity/properties/electrical.hpp"
+#include "physics/motor/properties.hpp"
 #include "puzzle/goals/words/lamp.hpp"
 #include "runtime/placement.hpp"
 
@@ -60,6 +62,8 @@ SceneFacts factsOf(LevelRun const& run) {
     SceneFacts facts;
     facts.fixed = ownersOf<Fixed>(store);
     facts.conductors = ownersOf<Conductor>(store);
+    facts.conductors.merge(ownersOf<SoundSensor>(store));
+    facts.motors = ownersOf<ElectricMotor>(store);
     facts.tied = tiedIn(store);
     if (auto const* const positions = store.findColumn<Position>()) {
         for (ObjectId const id : positions->owners()) {

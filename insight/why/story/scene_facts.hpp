@@ -12,7 +12,8 @@ namespace trembler::insight {
 
 struct SceneFacts {
     std::set<std::string> fixed;
-    std::set<std::string> conductors;
+    std::set<std::string> conductors;               ///< and sound sensors, by whose touch a current may flow
+    std::set<std::string> motors;                   ///< driven by a current
     std::set<std::string> lamps;                    ///< see isLamp()
     std::map<std::string, std::size_t> placementOf; ///< objects that were placed, pieces included
     std::map<std::string, Vec2> places;             ///< m, of everything that is somewhere

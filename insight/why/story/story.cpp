@@ -77,6 +77,7 @@ private:
             for (std::string const& name : event.objects) {
                 on_.erase(name);
             }
+            addShortCircuit(all[i]);
         }
         bool const last = i + 1 == events_.size() || events_[i + 1].frame != event.frame ||
                           events_[i + 1].event != event.event;
@@ -143,6 +144,25 @@ private:
             }
         }
         waiting_.clear();
+    }
+
+    /// A current that ends because something touches ends by all that it touches.
+    void addShortCircuit(std::set<std::size_t>& causes) const {
+        std::set<std::size_t> more;
+        for (std::size_t const cause : causes) {
+            if (kindOf(events_[cause]) != StepKind::contact) {
+                continue;
+            }
+            for (std::string const& name : events_[cause].objects) {
+                for (auto const& [pair, contacts] : connected_) {
+                    bool const same = std::find(pair.begin(), pair.end(), name) != pair.end();
+                    if (same && !facts_.fixed.contains(name)) {
+                        more.insert(contacts.begin(), contacts.end());
+                    }
+                }
+            }
+        }
+        causes.insert(more.begin(), more.end());
     }
 
     std::span<Event const> events_;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace trembler::insight {
 namespace {
@@ -127,6 +128,17 @@ std::string AnswerLanguage::distance(double metres) const {
         return number(metres * 1000, metres < 0.00095 ? 1 : 0) + " mm";
     }
     return metres < 0.995 ? number(metres * 100, 0) + " cm" : number(metres, 2) + " m";
+}
+
+std::string AnswerLanguage::afterColon(std::string sentence) const {
+    return catalogue_ == nullptr ? sentence : capitalised(std::move(sentence));
+}
+
+std::string capitalised(std::string text) {
+    if (!text.empty() && text.front() >= 'a' && text.front() <= 'z') {
+        text.front() = static_cast<char>(text.front() - 'a' + 'A');
+    }
+    return text;
 }
 
 Clauses clausesOf(Step const& step, SceneFacts const& facts, std::string const& goal,

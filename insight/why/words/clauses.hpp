@@ -35,10 +35,15 @@ public:
     [[nodiscard]] std::string number(double value, int digits) const;
     /// "4 cm", "0.4 m", rounded as people would.
     [[nodiscard]] std::string distance(double metres) const;
+    /// A whole sentence as it is written after a colon: in German with a capital letter.
+    [[nodiscard]] std::string afterColon(std::string sentence) const;
 
 private:
     Catalogue const* catalogue_ = nullptr;
 };
+
+/// With a capital letter, if it begins with a letter of ASCII.
+[[nodiscard]] std::string capitalised(std::string text);
 
 /// A step as a sentence without a full stop and as the clause after another one: "the spanner
 /// touches the left contact" and "because the spanner touches the left contact".

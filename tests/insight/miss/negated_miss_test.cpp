@@ -29,7 +29,7 @@ TEST(NegatedMiss, OfAnAreaIsTheWayOut) {
     EXPECT_NEAR(miss.by, 0.2, 1e-6);
     EXPECT_LT(miss.measure, 0.5);
     EXPECT_EQ(sentencesOf(miss, AnswerLanguage()).front(),
-              "The ball was 20 cm short of where it should be, at 0.0 s.");
+              "The ball was 20 cm short of where it should be, at the start.");
 }
 
 TEST(NegatedMiss, OfSeveralIsTheNearestOrTheMean) {
@@ -109,15 +109,26 @@ LevelFile lampWith(int wiresToSource, int wiresToReturn) {
 }
 
 TEST(NegatedMiss, OfACurrentIsTheNumberOfConnectionsThatHoldIt) {
-    for (auto const& [source, back, ways] : {std::tuple(1, 1, 1), {1, 3, 1}, {3, 2, 2}, {3, 3, 3}}) {
+    for (auto const& [source, back, ways] : {std::tuple(1, 1, 1U), {1, 3, 1U}, {3, 2, 2U}, {3, 3, 3U}}) {
         LevelFile const level = lampWith(source, back);
         auto const world = buildWorld(gameData().registry, level, gameData().parts);
         world->step();
-        EXPECT_EQ(waysOfCurrent(*world, world->store().find("lamp")), ways);
+        EXPECT_EQ(waysOfCurrent(*world, world->store().find("lamp")).size(), ways);
         Miss const miss = explainedMiss(level, 4);
         EXPECT_EQ(miss.lack, Lack::ways);
         EXPECT_EQ(miss.by, ways);
+        ASSERT_EQ(miss.ways.size(), ways);
+        for (CurrentWay const& way : miss.ways) { // nearest to the lamp
+            EXPECT_EQ(way.nameA, "lamp");
+            EXPECT_EQ(way.nameB.rfind(source <= back ? "source " : "return ", 0), 0U) << way.nameB;
+        }
     }
+    EXPECT_EQ(sentencesOf(explainedMiss(lampWith(1, 3), 4), AnswerLanguage()).front(),
+              "Current still flowed through the lamp: the connection between the lamp and source 0 held it, "
+              "at the start.");
+    EXPECT_EQ(sentencesOf(explainedMiss(lampWith(2, 3), 4), AnswerLanguage()).front(),
+              "Current still flowed through the lamp: at least 2 connections held it, between the lamp and "
+              "source 0, and between the lamp and source 1, at the start.");
     EXPECT_LT(explainedMiss(lampWith(1, 3), 4).measure, explainedMiss(lampWith(2, 3), 4).measure);
 }
 

@@ -9,6 +9,8 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <fstream>
+#include <iterator>
 
 namespace trembler::insight {
 namespace {
@@ -193,6 +195,57 @@ TEST(Why, WhatWasSeenInAnUntracedRunCanBeAskedAbout) {
     EXPECT_THROW((void)whyIn("experiments/1-switched-electromagnet", "", question), NothingHappened);
 }
 
+// The balls also roll over a chute and a bridge, and into a bin on the floor.
+TEST(Why, FloorsAndWallsAreToldOnlyIfAskedFor) {
+    std::string const name = "3-magnets/2-steel-stays-here";
+    LevelFile const level = whyLevel(name);
+    LevelRuns const runs(gameData(), level);
+    Solution const& solution = *level.findSolution("the magnet on the bridge");
+    AskOptions options;
+    options.frames = LevelRuns::framesFor(solution);
+    auto const groundsIn = [&](Answer const& answer) {
+        return std::count_if(answer.chain.begin(), answer.chain.end(), [&](ChainStep const& one) {
+            return one.step.kind == StepKind::contact &&
+                   std::any_of(
+                       one.step.objects.begin(), one.step.objects.end(),
+                       [&](std::string const& object) { return answer.facts.fixed.contains(object); });
+        });
+    };
+    Answer const brief = why(runs, solution, {}, options);
+    ASSERT_TRUE(brief.happened);
+    EXPECT_EQ(groundsIn(brief), 0);
+    EXPECT_TRUE(confirmedAt(brief, placeOf(brief, StepKind::placed, {"small magnet 1"})));
+    EXPECT_TRUE(confirmedAt(brief, placeOf(brief, StepKind::pull, {"steel ball"})));
+    options.everything = true;
+    EXPECT_GT(groundsIn(why(runs, solution, {}, options)), 0);
+}
+
+// A bell that the goal names is fixed, too, and is no ground.
+TEST(Why, WhatTheGoalNamesIsTold) {
+    Answer const answer = whyIn("first/3-pass-it-on", "", {}, 1);
+    EXPECT_FALSE(answer.happened);
+    LevelFile const level = whyLevel("4-water/3-ferry");
+    LevelRuns const runs(gameData(), level);
+    Solution const& solution = *level.findSolution("a floating plank");
+    AskOptions options;
+    options.frames = LevelRuns::framesFor(solution);
+    Answer const bell = why(runs, solution, {}, options);
+    ASSERT_TRUE(bell.happened);
+    EXPECT_LT(placeOf(bell, StepKind::contact, {"bell", "third domino"}), bell.chain.size());
+}
+
+// A balloon touches two contacts and so leads the current past a lamp: neither touch is the other's reason.
+TEST(Why, AShortCircuitHasItsContactsSideBySide) {
+    Answer const answer = whyIn("2-electricity/2-the-easy-way", "balloons from below", {.goal = "right"});
+    ASSERT_TRUE(answer.happened);
+    expectSound(answer);
+    std::size_t const front = placeOf(answer, StepKind::contact, {"right front contact", "foil balloon 2"});
+    std::size_t const back = placeOf(answer, StepKind::contact, {"right back contact", "foil balloon 2"});
+    std::size_t const off = placeOf(answer, StepKind::off, {"right lamp"});
+    ASSERT_LT(off, answer.chain.size());
+    EXPECT_EQ(answer.chain[off].step.because, (std::vector{std::min(front, back), std::max(front, back)}));
+}
+
 // Where the step happened, at its moment: that of the contact lies on both, and not where they began.
 TEST(Why, StepsHappenedWhereTheirObjectsWereThen) {
     Answer const answer = whyIn("experiments/1-switched-electromagnet", "");
@@ -222,21 +275,34 @@ TEST(Why, StepsHappenedWhereTheirObjectsWereThen) {
               0.01);
 }
 
+std::vector<std::string> keysOf(nlohmann::ordered_json const& object) {
+    std::vector<std::string> keys;
+    for (auto const& [key, value] : object.items()) {
+        keys.push_back(key);
+    }
+    return keys;
+}
+
+// All of them, as docs/why.md lists them: whoever adds one adds it there and here.
 TEST(Why, TheJsonHasTheKeysThatOtherProgramsRelyOn) {
+    using Keys = std::vector<std::string>;
     Answer const answer = whyIn("experiments/1-switched-electromagnet", "");
     nlohmann::ordered_json const made = toJson(answer, "goal lifted", "Lift it", AnswerLanguage());
-    for (char const* const key : {"asked", "answer", "confirmed", "chain"}) {
-        EXPECT_TRUE(made.contains(key)) << key;
-    }
+    EXPECT_EQ(keysOf(made), (Keys{"asked", "happened", "answer", "confirmed", "chain", "dropped", "runs"}));
     for (auto const& step : made.at("chain")) {
-        for (char const* const key : {"frame", "event", "objects", "because", "confirmed"}) {
-            EXPECT_TRUE(step.contains(key)) << key;
-        }
+        EXPECT_EQ(keysOf(step), (Keys{"frame", "event", "objects", "because", "confirmed", "proof", "traced",
+                                      "times", "text"}));
     }
     Answer const missed = whyIn("first/1-first-contact", "", {}, 100);
     nlohmann::ordered_json const miss = toJson(missed, "", "", AnswerLanguage()).at("nearest_miss");
-    for (char const* const key : {"frame", "what", "by", "unit"}) {
-        EXPECT_TRUE(miss.contains(key)) << key;
+    EXPECT_EQ(keysOf(miss), (Keys{"frame", "what", "by", "unit", "measure", "objects", "gaps"}));
+    EXPECT_EQ(keysOf(miss.at("gaps").at(0)), (Keys{"between", "width", "from", "to", "reason"}));
+    std::ifstream in(gameData().home / "docs" / "why.md");
+    std::string const page(std::istreambuf_iterator<char>(in), {});
+    for (auto const* const one : {&made, &made.at("chain").at(0), &miss, &miss.at("gaps").at(0)}) {
+        for (std::string const& key : keysOf(*one)) {
+            EXPECT_NE(page.find('"' + key + '"'), std::string::npos) << key;
+        }
     }
 }
 

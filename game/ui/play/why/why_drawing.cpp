@@ -107,6 +107,9 @@ void forEachLack(Miss const& miss, std::uint64_t frame, F&& f) {
         f(toPoint(miss.from), toPoint(miss.to), miss.by);
     }
     for (insight::CircuitGap const& gap : miss.gaps) {
+        if (gap.reason != insight::GapReason::apart) {
+            continue; // no touch is missing there
+        }
         f(toPoint(gap.from), toPoint(gap.to), gap.width);
     }
     for (Miss const& other : miss.besides) {

@@ -29,6 +29,13 @@ protected:
         }
         return all;
     }
+    static std::set<std::string> keysOf(json const& object) {
+        std::set<std::string> keys;
+        for (auto const& [key, value] : object.items()) {
+            keys.insert(key);
+        }
+        return keys;
+    }
     /// Stops the program when the first finished run is in the journal.
     [[nodiscard]] RunAs stoppedInTheMiddle(std::string const& journal) const {
         RunAs how;
@@ -44,10 +51,19 @@ protected:
     std::string const good = levelFile("first/1-first-contact.json").string();
 };
 
+// Its keys are those of docs/solving.md.
 TEST_F(SolveCommand, FindsSolutionsThatRun) {
     Ran const ran = runProgram(solve({"--json", "--keep", at("kept"), "--threads", "2"}));
     ASSERT_EQ(ran.status, 0) << ran.err;
     json const all = json::parse(ran.out);
+    EXPECT_EQ(keysOf(all),
+              (std::set<std::string>{"level", "seed", "complete", "runs", "solved_runs", "first_solved_run",
+                                     "kinds", "places_of_interest", "nearest_miss", "seconds",
+                                     "runs_per_second", "threads", "processes", "found"}));
+    EXPECT_EQ(keysOf(all["nearest_miss"]), (std::set<std::string>{"measure", "solution"}));
+    EXPECT_EQ(keysOf(all["found"].at(0)),
+              (std::set<std::string>{"kind", "needs_parts", "needs_deeds", "needs_effects", "frame", "run",
+                                     "times", "solution", "recorded_as", "file", "picture"}));
     EXPECT_EQ(all["runs"], 80);
     ASSERT_FALSE(all["found"].empty());
     for (json const& found : all["found"]) {

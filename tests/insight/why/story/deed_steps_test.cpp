@@ -95,6 +95,38 @@ TEST(DeedSteps, TheGatesWiresAreNamed) {
     EXPECT_NE(words(answer).find("you connected "), std::string::npos) << words(answer);
 }
 
+// The current that opens the gate also rings an alarm. The alarm is no cause: the gate opens without it.
+TEST(DeedSteps, WhatASecondDeviceDoesIsNoCause) {
+    LevelFile const level = loadLevel(gameData().registry, testedFile("5-everything/2-the-gate.json"));
+    LevelRuns const runs(gameData(), level);
+    for (char const* const name : {"any other metal", "the portable generator"}) {
+        Solution const& solution = *level.findSolution(name);
+        AskOptions options;
+        options.frames = LevelRuns::framesFor(solution);
+        Answer const answer = why(runs, solution, {}, options);
+        ASSERT_TRUE(answer.happened);
+        EXPECT_EQ(words(answer).find("alarm"), std::string::npos) << words(answer);
+        EXPECT_NE(words(answer).find("current flows through the gate"), std::string::npos) << words(answer);
+    }
+}
+
+TEST(DeedSteps, BothEndsOfAShortCircuitAreNamed) {
+    LevelFile const level =
+        loadLevel(gameData().registry, testedFile("5-everything/1-the-laboratory-door.json"));
+    LevelRuns const runs(gameData(), level);
+    Solution const& solution = *level.findSolution("short-circuit the power plant");
+    AskOptions options;
+    options.frames = LevelRuns::framesFor(solution);
+    Answer const answer = why(runs, solution, {}, options);
+    ASSERT_TRUE(answer.happened);
+    for (char const* const touch :
+         {"left end touches the left busbar", "right end touches the right busbar"}) {
+        EXPECT_NE(words(answer).find(touch), std::string::npos) << words(answer);
+    }
+    EXPECT_NE(words(answer).find("the door magnet ceases to be magnetic"), std::string::npos)
+        << words(answer);
+}
+
 // That the block falls follows from nothing that the trace connects with the wire.
 TEST(DeedSteps, ACutWireIsNamed) {
     LevelFile const level = loadLevel(gameData().registry, testedFile("3-magnets/6-the-crane.json"));

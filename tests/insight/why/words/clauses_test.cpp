@@ -1,5 +1,6 @@
 // The clauses of answers in German, with the names of all parts: article, gender and case.
 #include "insight/why/words/clauses.hpp"
+#include "runtime/level/read/read_level.hpp"
 #include "tests/insight/support/tested_level.hpp"
 
 #include <gtest/gtest.h>
@@ -8,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <fstream>
+#include <set>
 #include <string_view>
 
 namespace trembler::insight {
@@ -92,6 +94,22 @@ TEST(Clauses, KnowTheNamesOfAllParts) {
         std::string const sentence = said(step(StepKind::on, {part}));
         EXPECT_EQ(sentence, "durch " + accusative + " fließt Strom");
         EXPECT_EQ(said(step(StepKind::contact, {part, part})), nominative + " berührt " + accusative);
+    }
+}
+
+// Whatever touches something in a level of the game may be told, its pieces included.
+TEST(Clauses, KnowTheNamesOfAllObjectsOfAllLevels) {
+    std::set<std::string> names;
+    for (std::filesystem::path const& file : gameData().levels()) {
+        LevelFile const level = loadLevel(gameData().registry, file);
+        for (auto const& [name, at] :
+             factsOf(LevelRun(gameData().registry, gameData().parts, level, {}, {})).places) {
+            names.insert(name);
+        }
+    }
+    EXPECT_GT(names.size(), 500U);
+    for (std::string const& name : names) {
+        EXPECT_TRUE(german().names().understands(name)) << name;
     }
 }
 

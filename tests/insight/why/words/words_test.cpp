@@ -94,6 +94,15 @@ TEST(Words, OfWhatHeldTellHowFarItWentAndWhen) {
                         "the left contact and the right contact, at 1.5 s."});
 }
 
+TEST(Words, RoundForcesAsPeopleWould) {
+    for (auto const& [newtons, text] :
+         {std::pair(2165.43, "2165 N"), {21.654, "21.7 N"}, {2.1654, "2.17 N"}}) {
+        EXPECT_EQ(sentencesOf(lacking(Lack::force, newtons, 60, {"magnet", "ball"}), AnswerLanguage()),
+                  Sentences{std::string("The magnet pulled the ball with ") + text +
+                            " less than its weight, at 1.0 s."});
+    }
+}
+
 // What else stood in the way of it then may never have been otherwise.
 TEST(Words, OfWhatStoodInTheWayBesidesSayOnlyHowItWas) {
     Miss away = lacking(Lack::distance, 2, 90, {"ball", "floor"});
