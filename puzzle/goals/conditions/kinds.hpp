@@ -18,7 +18,7 @@
 
 namespace trembler::conditions {
 
-#define TREMBLER_DECLARE(name) [[nodiscard]] ConditionKind const& name();
+#define TREMBLER_DECLARE(name) ConditionKind const& name();
 TREMBLER_CONDITIONS(TREMBLER_DECLARE)
 #undef TREMBLER_DECLARE
 
