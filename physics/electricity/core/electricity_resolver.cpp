@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <iterator>
+#include <set>
 #include <tuple>
+#include <utility>
 
 namespace trembler {
 namespace {
@@ -15,6 +17,27 @@ constexpr std::size_t journalLimit = 4096;
     std::vector<ObjectId> rest;
     std::set_difference(these.begin(), these.end(), those.begin(), those.end(), std::back_inserter(rest));
     return rest;
+}
+
+/// Removes connections of the graph, each of which is named once. All together, because a row is a sorted
+/// list: one after the other, those of a hub would take the square of their number.
+void removeConnections(Column<ElectricityGraph>& graph, std::vector<std::pair<ObjectId, ObjectId>> pairs) {
+    for (std::size_t i = pairs.size(); i-- > 0;) {
+        pairs.emplace_back(pairs[i].second, pairs[i].first);
+    }
+    std::sort(pairs.begin(), pairs.end());
+    for (auto next = pairs.begin(); next != pairs.end();) {
+        ObjectId const vertex = next->first;
+        // Both lists ascend, so one pass finds what is in both.
+        std::erase_if(graph[vertex].connections, [&](ElectricityGraph::Connection const& connection) {
+            while (next != pairs.end() && next->first == vertex && next->second < connection.to) {
+                ++next;
+            }
+            return next != pairs.end() && next->first == vertex && next->second == connection.to;
+        });
+        next = std::find_if(next, pairs.end(), [&](auto const& pair) { return pair.first != vertex; });
+    }
+    graph.touch();
 }
 
 } // namespace
@@ -132,7 +155,7 @@ void ElectricityResolver::followCallers(Access& access) {
         return;
     }
     auto const& graph = access.read<ElectricityGraph>();
-    std::vector<std::pair<ObjectId, ObjectId>> left;
+    std::vector<VertexPair> left;
     for (std::uint32_t r = 0; r < graph.size(); ++r) {
         ObjectId const owner = graph.owners()[r];
         for (ElectricityGraph::Connection const& connection : graph.values()[r].connections) {
@@ -141,15 +164,21 @@ void ElectricityResolver::followCallers(Access& access) {
             }
         }
     }
+    std::vector<VertexPair> removed;
     for (auto const& [a, b] : left) {
         CallerCounts kept = connectionBetween(graph, a, b);
         kept.keepOnly(now);
-        setConnection(access.write<ElectricityGraph>(), a, b, kept);
-        if (!kept.any()) {
+        if (kept.any()) {
+            setConnection(access.write<ElectricityGraph>(), a, b, kept);
+        } else {
+            removed.emplace_back(a, b);
             EventId const event = access.event("disconnected", {a, b}, {});
             touch(a, event);
             touch(b, event);
         }
+    }
+    if (!removed.empty()) {
+        removeConnections(access.write<ElectricityGraph>(), std::move(removed));
     }
 }
 
@@ -182,19 +211,27 @@ void ElectricityResolver::blowFuses(Access& access) {
             }
         }
     }
+    std::set<ObjectId> isolated;
+    std::vector<VertexPair> removed;
     for (Blown const& one : blown) {
         ElectricityGraph const* const row = access.read<ElectricityGraph>().find(one.fuse);
-        if (row == nullptr) {
+        if (row == nullptr || isolated.contains(one.fuse)) {
             continue;
         }
-        std::vector<ElectricityGraph::Connection> const connections = row->connections;
-        for (ElectricityGraph::Connection const& connection : connections) {
-            setConnection(access.write<ElectricityGraph>(), one.fuse, connection.to, {});
+        for (ElectricityGraph::Connection const& connection : row->connections) {
+            if (isolated.contains(connection.to)) {
+                continue; // removed with that fuse
+            }
+            removed.emplace_back(one.fuse, connection.to);
             std::array const pair{one.fuse, connection.to};
             EventId const event = access.event("disconnected", pair, std::span(&one.cause, 1));
             touch(one.fuse, event);
             touch(connection.to, event);
         }
+        isolated.insert(one.fuse);
+    }
+    if (!removed.empty()) {
+        removeConnections(access.write<ElectricityGraph>(), std::move(removed));
     }
 }
 
@@ -224,17 +261,22 @@ void ElectricityResolver::carryOutCalls(Access& access) {
         return std::tie(x.a, x.b, x.caller, x.event, x.delta) <
                std::tie(y.a, y.b, y.caller, y.event, y.delta);
     });
+    std::vector<VertexPair> removed;
     for (auto from = changes_.begin(); from != changes_.end();) {
         auto const to = std::find_if(from, changes_.end(),
                                      [&](Change const& c) { return c.a != from->a || c.b != from->b; });
-        changePair(access, {from, to});
+        changePair(access, {from, to}, removed);
         from = to;
+    }
+    if (!removed.empty()) {
+        removeConnections(access.write<ElectricityGraph>(), std::move(removed));
     }
 }
 
 // Applies all changes of one pair in one frame. Adding up before clamping makes the order of calls
 // irrelevant.
-void ElectricityResolver::changePair(Access& access, std::span<Change const> changes) {
+void ElectricityResolver::changePair(Access& access, std::span<Change const> changes,
+                                     std::vector<VertexPair>& removed) {
     ObjectId const a = changes.front().a;
     ObjectId const b = changes.front().b;
     CallerCounts const before = connectionBetween(access.read<ElectricityGraph>(), a, b);
@@ -250,7 +292,11 @@ void ElectricityResolver::changePair(Access& access, std::span<Change const> cha
     if (after == before) {
         return;
     }
-    setConnection(access.write<ElectricityGraph>(), a, b, after);
+    if (after.any()) {
+        setConnection(access.write<ElectricityGraph>(), a, b, after);
+    } else {
+        removed.emplace_back(a, b);
+    }
     if (after.any() == before.any()) {
         return; // the callers have changed, but not whether the pair is connected
     }

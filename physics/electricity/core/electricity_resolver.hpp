@@ -63,7 +63,9 @@ private:
     void followHeld(Access& access);
     /// Whether the object takes connections.
     [[nodiscard]] static bool conducts(Access& access, ObjectId id);
-    void changePair(Access& access, std::span<Change const> changes);
+    using VertexPair = std::pair<ObjectId, ObjectId>;
+    /// `removed` gets the pair if it is connected no more; its rows still have it.
+    void changePair(Access& access, std::span<Change const> changes, std::vector<VertexPair>& removed);
     void publish(Access& access);
     void touch(ObjectId object, EventId event = {}) { touched_.push_back({object, event, 0}); }
 

@@ -3,8 +3,12 @@
 #include "tests/physics/electricity/circuit_world.hpp"
 
 #include <gtest/gtest.h>
+#include <rapidcheck.h>
 
 #include <algorithm>
+#include <set>
+#include <string>
+#include <utility>
 
 namespace trembler::test {
 namespace callers_test {
@@ -34,6 +38,56 @@ TEST(ElectricityCallers, NoneRemovesTheConnectionsOfAnother) {
     EXPECT_TRUE(circuit.isOn(circuit["lamp"])) << "the second script still connects them";
     circuit.disconnect("battery", "lamp", 1);
     EXPECT_FALSE(circuit.isOn(circuit["lamp"]));
+}
+
+// The connections of a frame are removed from each row of the graph together.
+TEST(ElectricityCallers, AddAndRemoveManyConnectionsInOneFrame) {
+    EXPECT_TRUE(rc::check([] {
+        CircuitWorld circuit;
+        constexpr int count = 12;
+        std::vector<ObjectId> objects;
+        for (int i = 0; i < count; ++i) {
+            objects.push_back(circuit.conductor("c" + std::to_string(i)));
+        }
+        circuit.start();
+        std::set<std::pair<int, int>> model; // lower number first
+        for (int frame = 0; frame < 4; ++frame) {
+            std::vector<Script::Line> lines;
+            for (int a = 0; a < count; ++a) {
+                for (int b = a + 1; b < count; ++b) {
+                    if (*rc::gen::inRange(0, 2) == 0) {
+                        continue;
+                    }
+                    bool const add = !model.contains({a, b});
+                    lines.push_back(
+                        {objects[static_cast<std::size_t>(a)], objects[static_cast<std::size_t>(b)], 0, add});
+                    if (add) {
+                        model.insert({a, b});
+                    } else {
+                        model.erase({a, b});
+                    }
+                }
+            }
+            circuit.call(std::move(lines));
+            for (int a = 0; a < count; ++a) {
+                std::vector<ObjectId> expected;
+                for (int b = 0; b < count; ++b) {
+                    if (model.contains(std::minmax(a, b))) {
+                        expected.push_back(objects[static_cast<std::size_t>(b)]);
+                    }
+                }
+                std::sort(expected.begin(), expected.end());
+                std::vector<ObjectId> found;
+                for (auto const& connection :
+                     circuit.store()
+                         .column<ElectricityGraph>()[objects[static_cast<std::size_t>(a)]]
+                         .connections) {
+                    found.push_back(connection.to);
+                }
+                RC_ASSERT(found == expected);
+            }
+        }
+    }));
 }
 
 TEST(ElectricityCallers, NoneRemovesWiresOfTheLevelAndScissorsCutOnlyThese) {

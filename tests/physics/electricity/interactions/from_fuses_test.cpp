@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
 namespace trembler::test {
 namespace {
@@ -115,6 +116,35 @@ TEST(ElectricityFuses, EqualOnesInParallelBlowTogetherAndUnequalOnesInTurn) {
         circuit.world().step();
         EXPECT_TRUE(blown(circuit, "b")); // then it carries 12 A
     }
+}
+
+TEST(ElectricityFuses, TwoThatBlowTogetherDisconnectOnce) {
+    NodalWorld circuit({}, 1, true);
+    circuit.battery("plus", 12);
+    circuit.returning("minus");
+    circuit.fuse("a", 4);
+    circuit.fuse("b", 4);
+    circuit.resistor("load", 1);
+    circuit.wire({{"plus", "a", "bar", "load", "minus"}, {"plus", "b", "bar"}, {"a", "b"}}); // 6 A each
+    circuit.begin();
+    circuit.world().step();
+    ASSERT_TRUE(blown(circuit, "a") && blown(circuit, "b"));
+    for (auto const& [one, neighbour] :
+         {std::pair("a", "plus"), {"a", "b"}, {"a", "bar"}, {"b", "plus"}, {"b", "bar"}}) {
+        EXPECT_FALSE(connectionBetween(circuit.store(), circuit[one], circuit[neighbour]).any());
+        EXPECT_FALSE(connectionBetween(circuit.store(), circuit[neighbour], circuit[one]).any());
+        std::set<std::string> const pair{one, neighbour};
+        auto const& events = circuit.world().tracer()->events();
+        EXPECT_EQ(std::count_if(events.begin(), events.end(),
+                                [&](Event const& event) {
+                                    return event.event == "disconnected" &&
+                                           std::set(event.objects.begin(), event.objects.end()) == pair;
+                                }),
+                  1)
+            << one << " " << neighbour;
+    }
+    EXPECT_TRUE(connectionBetween(circuit.store(), circuit["bar"], circuit["load"]).any());
+    EXPECT_TRUE(connectionBetween(circuit.store(), circuit["load"], circuit["minus"]).any());
 }
 
 TEST(ElectricityFuses, OneThatIsBlownFromTheStartConductsNothing) {
