@@ -1,4 +1,5 @@
-// The causes for which an object did not get to its goal: magnets that were off or too weak, or pulled elsewhere.
+// Magnets as the causes for which an object did not get to its goal: off, too weak, or pulling elsewhere.
+// elsewhere.
 #pragma once
 
 #include "insight/miss/miss.hpp"
