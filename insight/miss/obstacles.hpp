@@ -1,4 +1,4 @@
-// The causes for which an object did not get to its goal: magnets that were off or too weak, or pulled
+// Magnets as the causes for which an object did not get to its goal: off, too weak, or pulling elsewhere.
 // elsewhere.
 #pragma once
 
