@@ -1,5 +1,4 @@
 // Magnets as the causes for which an object did not get to its goal: off, too weak, or pulling elsewhere.
-// elsewhere.
 #pragma once
 
 #include "insight/miss/miss.hpp"
