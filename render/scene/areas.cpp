@@ -54,9 +54,4 @@ void drawGoalRegion(Canvas& canvas, GoalRegion const& goal) {
     dashed(canvas, outline, true, canvas.metres(14), canvas.metres(8), line);
 }
 
-Point labelAnchor(GoalRegion const& goal) {
-    Extent const around = extentOf(goal.area);
-    return around.empty() ? Point{} : Point{around.centre().x, around.upper.y};
-}
-
 } // namespace trembler::render

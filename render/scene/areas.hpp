@@ -25,7 +25,5 @@ struct GoalRegion {
 
 /// A dashed outline over a faint tint.
 void drawGoalRegion(Canvas& canvas, GoalRegion const& goal);
-/// Where the goal's words belong: the middle of its upper edge. For worldLabel().
-[[nodiscard]] Point labelAnchor(GoalRegion const& goal);
 
 } // namespace trembler::render

@@ -231,6 +231,7 @@ void PlayParts::passMods(double seconds) {
 
 void PlayParts::newWorld() {
     scene.start();
+    goals.lookAt(session.world());
     picking.forget();
     said.newWorld();
 }

@@ -1,8 +1,11 @@
 #include "game/ui/play/view/goal_areas.hpp"
 
+#include "game/ui/play/view/area_name_place.hpp"
 #include "game/ui/shared/texts.hpp"
 #include "puzzle/goals/read_goals.hpp"
 #include "render/panels/world_label.hpp"
+#include "render/scene/facts/facts.hpp"
+#include "render/scene/facts/pick.hpp"
 
 namespace trembler::ui {
 
@@ -54,14 +57,25 @@ render::Extent GoalAreas::extent() const {
     return all;
 }
 
+void GoalAreas::lookAt(World const& world) {
+    objects_.clear();
+    for (render::Facts const& facts : render::FactsReader(world).drawOrder()) {
+        if (render::Extent const own = render::extentOf(facts, render::poseOf(facts)); !own.empty()) {
+            objects_.push_back(own);
+        }
+    }
+}
+
 void GoalAreas::drawWords(render::Camera const& camera) const {
     for (std::size_t i = 0; i < regions_.size(); ++i) {
         if (names_[i].empty()) {
             continue;
         }
-        render::worldLabel(
-            camera, render::labelAnchor(regions_[i]), shownArea(names_[i]).c_str(),
-            {.colour = regions_[i].met ? render::palette::goal : render::palette::inkSoft, .below = -12});
+        std::string const& name = shownArea(names_[i]);
+        render::Point const at = areaNamePlace(camera, render::extentOf(regions_[i].area),
+                                               render::chipSize(name.c_str()), objects_);
+        render::worldLabel(camera, at, name.c_str(),
+                           {.colour = regions_[i].met ? render::palette::goal : render::palette::inkSoft});
     }
 }
 

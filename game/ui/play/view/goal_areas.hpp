@@ -20,7 +20,11 @@ public:
     [[nodiscard]] std::span<render::GoalRegion const> regions(std::span<GoalStatus const> status);
     /// The smallest rectangle around all of them; empty if there are none.
     [[nodiscard]] render::Extent extent() const;
-    /// Writes the name of each area above it; between Gui::beginFrame and Gui::endFrame.
+    /// Remembers where the world's objects are: names are written beside them. To be called for each new
+    /// world, and not in a run, in which a name would jump whenever something passes it.
+    void lookAt(World const& world);
+    /// Writes the name of each area at one of its edges, where it covers the least of objects and lies in the
+    /// view; between Gui::beginFrame and Gui::endFrame.
     void drawWords(render::Camera const& camera) const;
 
 private:
@@ -28,8 +32,9 @@ private:
     [[nodiscard]] bool isKnown(Area const& area, std::size_t goal) const;
 
     std::vector<render::GoalRegion> regions_;
-    std::vector<std::size_t> goals_; // for each region, the number of its goal
-    std::vector<std::string> names_; // for each region; empty: none is written
+    std::vector<render::Extent> objects_; // of lookAt()
+    std::vector<std::size_t> goals_;      // for each region, the number of its goal
+    std::vector<std::string> names_;      // for each region; empty: none is written
 };
 
 } // namespace trembler::ui

@@ -1,0 +1,18 @@
+// Where the name of an area is written.
+#pragma once
+
+#include "render/draw/camera.hpp"
+#include "render/scene/facts/shape_geometry.hpp"
+
+#include <span>
+
+namespace trembler::ui {
+
+/// The middle, in the world (m), of a name of `size` pixels at the upper or lower edge of `area`, outside or
+/// inside of it: of the places inside the view the one where the name covers the least of `objects`, and of
+/// equal ones the first in a fixed order that begins above the middle of the area. What holds the whole name,
+/// like a board or water behind it, counts only where there is a place without. `area` is not empty.
+[[nodiscard]] render::Point areaNamePlace(render::Camera const& camera, render::Extent const& area,
+                                          render::Point size, std::span<render::Extent const> objects);
+
+} // namespace trembler::ui

@@ -1,0 +1,80 @@
+// The name of an area is written where it covers no object.
+#include "game/ui/play/view/area_name_place.hpp"
+#include "render/scene/areas.hpp"
+#include "render/scene/facts/facts.hpp"
+#include "render/scene/facts/pick.hpp"
+#include "tests/game/ui/player.hpp"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace trembler::ui::test {
+namespace area_name_place_test {
+namespace {
+
+using render::Extent;
+
+Extent around(Point lower, Point upper) {
+    Extent extent;
+    extent.add(lower);
+    extent.add(upper);
+    return extent;
+}
+
+bool coversAny(Point at, Point half, std::vector<Extent> const& objects) {
+    Extent const name = around(at - half, at + half);
+    return std::any_of(objects.begin(), objects.end(),
+                       [&](Extent const& object) { return object.overlaps(name); });
+}
+
+TEST(AreaNamePlace, IsAboveTheMiddleUnlessAnObjectLiesThere) {
+    render::Camera camera;
+    camera.viewport = {800, 600};
+    camera.pixelsPerMetre = 100;
+    Extent const area = around({-1, -0.5}, {1, 0.5});
+    Point const size{40, 20};
+    Point const free = areaNamePlace(camera, area, size, {});
+    EXPECT_DOUBLE_EQ(free.x, 0);
+    EXPECT_DOUBLE_EQ(free.y, 0.6);
+    std::vector<Extent> const boxes{around({-0.1, 0.5}, {0.1, 0.7}), around({-0.6, 0.55}, {-0.4, 0.75})};
+    Point const beside = areaNamePlace(camera, area, size, boxes);
+    EXPECT_FALSE(coversAny(beside, {0.2, 0.1}, boxes));
+    EXPECT_DOUBLE_EQ(beside.y, 0.6);
+}
+
+TEST(AreaNamePlace, IsInsideTheView) {
+    render::Camera camera;
+    camera.viewport = {800, 600};
+    camera.pixelsPerMetre = 100;
+    Point const at = areaNamePlace(camera, around({-1, 1}, {1, 2.95}), {40, 20}, {});
+    EXPECT_DOUBLE_EQ(at.y, 2.85);
+}
+
+// "the surface" was printed over the boxes.
+TEST(AreaNamePlace, CoversNoBoxOfTheRaft) {
+    for (render::Size const size : {render::Size{800, 600}, {1280, 720}, {2560, 1440}}) {
+        Player player(size);
+        player.open(levelsFolder() / "experiments/4-raft.json");
+        World const& world = player.session().world();
+        std::vector<Extent> objects;
+        for (render::Facts const& facts : render::FactsReader(world).drawOrder()) {
+            if (Extent const own = render::extentOf(facts, render::poseOf(facts)); !own.empty()) {
+                objects.push_back(own);
+            }
+        }
+        render::Camera const& camera = player.play().camera();
+        Point const words{70, 18}; // about that of "the surface"
+        Point const half = (0.5 / camera.pixelsPerMetre) * words;
+        Extent const area = around({-2.5, 0}, {2.5, 0.5});
+        if (size.width == 800) { // in larger windows the name covers less of the world
+            EXPECT_TRUE(coversAny({0, 0.5 + half.y}, half, objects)) << "above the middle, where it was";
+        }
+        EXPECT_FALSE(coversAny(areaNamePlace(camera, area, words, objects), half, objects));
+        player.look("raft-area-" + std::to_string(size.width));
+    }
+}
+
+} // namespace
+} // namespace area_name_place_test
+} // namespace trembler::ui::test
