@@ -9,7 +9,7 @@
 
 namespace trembler {
 
-/// A cause of a body's motion is also one of all bodies that are joined to it or touch it at that time: a
+/// A cause of a body's motion counts for all bodies that are joined to it or touch it at that time, too: a
 /// plank that a magnet pulls carries the ball on it along. Fixed bodies pass no causes on.
 class CauseBook {
 public:

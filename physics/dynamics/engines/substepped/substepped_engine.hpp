@@ -1,5 +1,5 @@
-// Features that rigid-body libraries other than Box2D lack or define differently: constant loads, drag,
-// sleeping islands, beginning and ending contacts, impacts, a speed limit.
+// An engine with the features that rigid-body libraries other than Box2D lack or define differently: constant
+// loads, drag, sleeping islands, beginning and ending contacts, impacts, a speed limit.
 #pragma once
 
 #include "physics/dynamics/engines/body_core.hpp"
