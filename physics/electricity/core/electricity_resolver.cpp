@@ -67,7 +67,7 @@ void ElectricityResolver::followObjects(Access& access) {
     seen_ = versions;
 }
 
-// New conductors become vertices; destroyed ones are removed from the graph with their connections.
+// New conductors become vertices; vertices that are no longer conductors are removed with their connections.
 void ElectricityResolver::followVertices(Access& access) {
     std::span<ObjectId const> const now = access.read<Conductor>().owners();
     std::vector<ObjectId> const missing = without(now, access.read<ElectricityGraph>().owners());
