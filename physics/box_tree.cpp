@@ -99,7 +99,7 @@ std::optional<std::uint32_t> BoxTree::findFirst(Bounds const& where, std::uint32
                                                 std::function<bool(std::uint32_t)> const& holds) const {
     // A candidate for the next box, the lowest number first; a node comes before the boxes that it may hold.
     struct Next {
-        std::uint32_t number; // of a box, or the lowest in a node
+        std::uint32_t number; // of the box, or the lowest of the boxes in the node
         bool isBox;
         std::uint32_t node;
     };

@@ -62,8 +62,8 @@ private:
     struct Node {
         Bounds bounds;
         Bounds common;             // encloses all its boxes; lower above upper if there are none
-        std::uint32_t lowest = 0;  // and
-        std::uint32_t highest = 0; // number of a box in it
+        std::uint32_t lowest = 0;  // of the boxes in it
+        std::uint32_t highest = 0; // likewise
         std::uint32_t first = 0;   // in order_
         std::uint32_t last = 0;
         std::uint32_t second = 0; // the other half's node; the first half's is the next one; 0: a leaf

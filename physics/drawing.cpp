@@ -50,7 +50,7 @@ Flaw flawOf(DrawnShape const& shape, DrawnShape const* before) {
         if (corners < 3 || corners > DrawnShape::mostCorners) {
             return fmt::format("it has {} corners; expected 3 to {}", corners, DrawnShape::mostCorners);
         }
-        // A figure of eight may have the area 0 as well, and no inside that one could agree on.
+        // A figure of eight may have the area 0 as well, and its inside is not defined.
         if (!(twiceAreaOf(shape.corners) > 1e-9)) {
             return "its corners enclose no area; expected a polygon";
         }

@@ -47,9 +47,9 @@ inline constexpr std::array<std::string_view, 3> choiceNames<DrawnShading>{"usua
 enum class DrawnWhen : int {
     always,
     on,       ///< part of a working circuit; a coil: its magnet acts
-    off,      ///< not so
+    off,      ///< the opposite of `on`
     conducts, ///< it is a conductor at present
-    insulates ///< not so
+    insulates ///< it is no conductor at present
 };
 template <>
 inline constexpr std::array<std::string_view, 5> choiceNames<DrawnWhen>{"always", "on", "off", "conducts",
@@ -75,7 +75,7 @@ struct DrawnShape {
     double opacity = 1;
     DrawnPattern pattern = DrawnPattern::plain; ///< of areas
     DrawnShading shading = DrawnShading::usual;
-    double outline = -1;       ///< pixels at UI scale 1; -1: one of areas, none of lines
+    double outline = -1;       ///< pixels at UI scale 1; -1: one pixel for areas, none for lines
     std::string outlineColour; ///< empty: ink with a touch of the colour
     double raised = 0;         ///< apparent height above its background, which its shadow shows; a body has 1
     DrawnWhen when = DrawnWhen::always;
@@ -84,7 +84,7 @@ struct DrawnShape {
     bool joined = false;     ///< one outline with the area before it
     std::int32_t repeat = 1; ///< number of copies
     Vec2 step;               ///< m, from one copy to the next
-    Vec2 about;              ///< m, in the object's frame: where copies are turned about
+    Vec2 about;              ///< m, in the object's frame: the point about which copies are turned
     double turn = 0;         ///< rad, from one copy to the next; without a step, 0: a full circle / repeat
 
     static constexpr std::size_t mostCorners = 64;

@@ -12,7 +12,7 @@ namespace trembler {
 
 class Registry;
 
-/// The pattern of a surface: of its own material, or of another one.
+/// The pattern of a surface: of the object's own material, or of another one.
 enum class LookPattern : int {
     own,
     steel,
@@ -32,7 +32,7 @@ inline constexpr std::array<std::string_view, 12> choiceNames<LookPattern>{
     "own",    "steel", "iron",    "copper", "wood",  "glass",
     "rubber", "stone", "plastic", "brick",  "water", "gold"};
 
-/// Of any pattern but `own`: the material that it is taken from.
+/// The material that a pattern belongs to; not for `own`.
 [[nodiscard]] constexpr Material materialOf(LookPattern pattern) {
     return static_cast<Material>(static_cast<int>(pattern) - 1);
 }

@@ -25,7 +25,7 @@ template <>
 inline constexpr std::array<std::string_view, 8> choiceNames<LookForm>{"own",   "plain",   "bulb",  "plus",
                                                                        "minus", "battery", "earth", "flash"};
 
-/// A separate property and not a member of Look, so that the hash of objects without it has not changed.
+/// Not a member of Look, as a new member would change the hash of every object that has a Look.
 struct DrawnAs {
     static constexpr PropertyKind kind = PropertyKind::object;
     static constexpr PropertyText text{"Form of drawing", "look_form",

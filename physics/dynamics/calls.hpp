@@ -132,7 +132,7 @@ struct AddDrag {
 /// interaction that adds a force states how fast it varies: the angular frequency ω = √(k/m) with which the
 /// object would swing if the force alone held it, k being the change of the force per distance (N/m), or the
 /// rate at which the object would come to rest if the force alone slowed it down. A factor of two does not
-/// matter. A force without such a call does not vary. Dynamics summarises these calls in ForceRates.
+/// matter. A force without such a call counts as constant. Dynamics summarises these calls in ForceRates.
 struct StateRate {
     static constexpr CallText text{
         "tellRate", "(object, rate, foreseen, swings)",

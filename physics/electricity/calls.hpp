@@ -49,10 +49,10 @@ struct RemoveConnection : ConnectionKey {
     [[nodiscard]] int delta() const { return -1; }
 };
 
-/// Connects two conductors for as long as the call is held: one more reason, whose end needs no call. Used
-/// instead of the two calls above by interactions that compute the connections again in each turn and keep no
-/// account of the connections that they have added. It counts as one of the caller's connections between the
-/// two, however often the caller holds it.
+/// Connects two conductors for as long as the call is held; its end needs no other call. Used instead of the
+/// two calls above by interactions that compute the connections again in each turn and do not record the
+/// connections that they have added. It counts as one of the caller's connections between the two, however
+/// often the caller holds it.
 struct HoldConnection : ConnectionKey {
     using MembersOf = ConnectionKey;
     static constexpr CallText text{

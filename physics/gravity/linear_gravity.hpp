@@ -19,7 +19,7 @@ public:
                                             "Exports mass times the world's acceleration for each object.",
                                         .rank = 1};
     using Activation = NeedsAll<GravityField, Mass>;
-    static constexpr int longestPeriod = 4; // as that of the levels which it may replace
+    static constexpr int longestPeriod = 4; // as of the levels that it may replace
     /// Not for a world that states a law of gravity: without attraction between masses its physics would
     /// differ.
     static bool faithful(Store const& store);

@@ -7,8 +7,7 @@
 
 namespace trembler {
 
-/// m/s². The only g of the program: new levels have it, and hard cases are measured with it. Simulations have
-/// none of their own, they read the world's.
+/// m/s². New levels and the measurements of hard cases use it; simulations read the gravity of their world.
 inline constexpr double earthGravity = 9.81;
 
 /// The world's gravity: a level on Mars changes one number (3.3.3).

@@ -15,7 +15,7 @@ struct Ordered {
 };
 
 /// Keys after Morton (1966): the bits of both coordinates in turn, coarsest first. Ascending by key; points
-/// of one key by place, weight and owner, so only identical points may change places. Coordinates are
+/// of one key by place, weight and owner, so that only identical points have no fixed order. Coordinates are
 /// distinguished to 2^-32 of the greater extent of all points. O(n log n); `order` is overwritten and its
 /// memory reused. At most 2^32 points.
 void orderAlongCurve(Points const& points, std::vector<Ordered>& order);

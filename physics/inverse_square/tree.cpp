@@ -7,7 +7,7 @@ namespace trembler::inverse_square {
 namespace {
 
 constexpr std::uint32_t leafSize = 8;
-constexpr std::uint32_t notWorthACluster = 2; // this few sources cost less than their moments
+constexpr std::uint32_t notWorthACluster = 2; // so few sources cost less than their moments
 
 } // namespace
 
@@ -52,7 +52,7 @@ std::uint32_t Tree::grow(std::uint32_t begin, std::uint32_t end) {
         nodes_[at].skip = at + 1;
         return at;
     }
-    // The coarsest square that all of them share is left out: nodes with a single child have no information.
+    // The coarsest square that all of them share is left out: a node with a single child has no information.
     unsigned const shift = (63U - static_cast<unsigned>(std::countl_zero(differing))) & ~1U;
     std::uint32_t from = begin;
     while (from < end) {

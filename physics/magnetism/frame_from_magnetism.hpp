@@ -12,8 +12,8 @@
 
 namespace trembler {
 
-/// Dynamics requests parts for all forces, but receives these a frame later. Magnets that pass through each
-/// other can gain energy in that one frame.
+/// Dynamics requests parts for all forces, but receives magnetic forces one frame later. Magnets that pass
+/// through each other can gain energy in that one frame.
 class FrameFromMagneticForces final
     : public Interaction<FrameFromMagneticForces, FrameRole, Reads<MagneticForce, Fixed>> {
 public:

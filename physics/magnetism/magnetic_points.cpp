@@ -13,7 +13,8 @@ Vec2 poleForce(Vec2 r, double q1, double q2) {
 
 namespace {
 
-// Obstacles on the path are not known, and beyond the magnet the object would be pulled back.
+// The farthest that an object is assumed to move, in m: obstacles on its path are not known, and beyond the
+// magnet it would be pulled back.
 constexpr double farthestShift = magneticSoftening / 2;
 
 Vec2 shortened(Vec2 shift) {
@@ -65,7 +66,7 @@ void MagneticPoints::gather(MagneticColumns const& columns, double lag) {
             double const now = rotation == nullptr ? 0 : rotation->angle;
             double const angle = spin == nullptr ? now : now + lag * spin->value;
             Vec2 const shift = velocity == nullptr ? Vec2{} : shortened(lag * velocity->value);
-            // The centre of mass moves in a straight line.
+            // The centre of mass moves in a straight line; the origin follows from it.
             MassProperties const& spread = spreads_[columns.strengths.row(id)];
             Vec2 const centre = spread.centre;
             Mass const* const mass = columns.masses.find(id);

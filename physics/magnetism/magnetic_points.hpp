@@ -79,8 +79,8 @@ private:
     inverse_square::Points poles_;         // weight: strength in A m, north positive
     inverse_square::Points unsignedPoles_; // the same without signs
     inverse_square::Points soft_;          // weight: susceptibility in A m
-    inverse_square::Points repelled_;      // the poles as they receive from poles
-    inverse_square::Points pulledPoles_;   // the poles as they receive from soft objects
+    inverse_square::Points repelled_;      // the poles, as receivers of forces from poles
+    inverse_square::Points pulledPoles_;   // the poles, as receivers of forces from soft objects
     inverse_square::Points pulledSoft_;
     std::vector<double> poleYields_; // 1/kg, 1/m + a²/I of each pole's body; 0 where it has no mass
     std::vector<double> softYields_;

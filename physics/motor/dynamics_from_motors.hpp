@@ -25,8 +25,7 @@ public:
 };
 
 /// It reports no rate: the amount of the braking torque is constant, and a torque that would turn the rotor
-/// back within the time for which it stands is reduced to the one that stops it. The torque thus has no rate
-/// that shorter steps would follow better.
+/// back while it is held is reduced to the torque that stops it. So shorter steps would not follow it better.
 class DynamicsFromGenerators final
     : public Interaction<DynamicsFromGenerators, DynamicsRole,
                          Reads<ElectricalState, Generator, AngularVelocity, Mass, Shape, Fixed>> {

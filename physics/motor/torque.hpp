@@ -7,7 +7,7 @@ namespace trembler {
 
 /// Moment of inertia (kg m²) with which two free bodies turn against one another, from those of both: their
 /// relative motion is that of one body with the reduced inertia 1/(1/a + 1/b), as of reduced masses (Landau
-/// and Lifshitz, Mechanics, § 13). Either may be infinite; 0 if one of them is.
+/// and Lifshitz, Mechanics, § 13). Either may be infinite; the result is 0 if either is 0.
 [[nodiscard]] double reducedInertia(double a, double b);
 
 /// Torque (N m) of a motor that turns at `speed` (rad/s, relative to its mount): a straight line from its

@@ -52,7 +52,7 @@ public:
     }
 
 private:
-    static constexpr std::size_t hulls = 32; // per range: each is a polygon to be cut, or many particles
+    static constexpr std::size_t hulls = 32; // per range: each is a polygon to be clipped, or many particles
 
     static Vec2 gravityNow(Access const& access) {
         Vec2 sum;

@@ -12,8 +12,8 @@ namespace trembler {
 namespace {
 
 constexpr double leastArea = 1e-12; // m²: a square of a thousandth of a millimetre
-constexpr double margin = 1e-9;     // of a place, more than rounding moves it
-constexpr double leastDry = 1e-9;   // of a body's area, more than rounding leaves of one that is immersed
+constexpr double margin = 1e-9;     // share of a coordinate: more than its rounding error
+constexpr double leastDry = 1e-9;   // share of an immersed body's area: more than rounding leaves dry
 
 double angleOf(FlotationColumns const& columns, ObjectId id) {
     Rotation const* const rotation = columns.rotation.find(id);

@@ -69,17 +69,17 @@ LiquidResistance::Entry dragOn(Immersions::Entry const& immersion, Liquid const&
             .yy = rate,
             .angular = turning,
             .push = rate * liquid.current,
-            .rate = 0, // resistance is integrated implicitly, however steep
+            .rate = 0, // drag is integrated implicitly, so it is stable at any rate
             .event = immersion.event};
 }
 
 struct Lag {
-    double held = 0; // s, of F_B
-    double turn = 0; // s, of the point where it acts
+    double held = 0; // s, lag of F_B
+    double turn = 0; // s, lag of the point where it acts
 };
 
-// Resists motion into and out of the surface at every point of the waterline, and resists turning as far as
-// it changes the arm of F_B.
+// A resistance to motion into and out of the surface at every point of the waterline, and to rotation as far
+// as it changes the arm of F_B.
 LiquidResistance::Entry lookAhead(Immersions::Entry const& immersion, BodyMotion const& body, double pull,
                                   Lag const& lag) {
     Waterline const& line = immersion.waterline;
@@ -101,7 +101,7 @@ LiquidResistance::Entry lookAhead(Immersions::Entry const& immersion, BodyMotion
             .xx = rate * up.x * up.x,
             .xy = rate * up.x * up.y,
             .yy = rate * up.y * up.y,
-            .angular = std::max(0.0, turning), // an unstable body falls over anyway
+            .angular = std::max(0.0, turning), // below zero: an unstable body, which falls over anyway
             .push = {},
             .rate = std::sqrt(square),
             .event = immersion.event};

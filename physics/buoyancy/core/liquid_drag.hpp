@@ -16,16 +16,15 @@ namespace trembler {
 
 /// Drag acts at the centroid of the immersed part, against its velocity v in the liquid:
 /// F = -(c1 m + c2 ½ ρ w d |v|) v, with m the mass of the displaced liquid, w the width of the immersed part
-/// across v, d the world's depth, c1 and c2 the linear and quadratic drag of the liquid or of the air; and
-/// against the turning
-/// likewise: T = -(c1 ρ d J + c2 ½ ρ d |ω| L⁴/32) ω, with J the polar moment of the immersed part about that
-/// centroid and L its length, as for a plate that turns about its middle. Widths are those of the rectangle
-/// with the same second moments.
+/// across v, d the world's depth, c1 and c2 the linear and quadratic drag of the liquid or of the air.
+/// Rotation is resisted likewise: T = -(c1 ρ d J + c2 ½ ρ d |ω| L⁴/32) ω, with J the polar moment of the
+/// immersed part about that centroid and L its length, as for a plate that turns about its middle. Widths are
+/// those of the rectangle with the same second moments.
 ///
 /// Looking ahead: F_B is held for a time t (a frame, or the resolver's period) while the body moves. On
 /// average it is the force of t/2 ago, and such a lag adds energy to oscillations. So the body is made to
 /// resist motion up and down at its waterline with ρ g d t/2 per length, the average change of the force; and
-/// turning, with t/2 times F_B times the height of the centre of buoyancy above that of mass. The part of
+/// rotation, with t/2 times F_B times the height of the centre of buoyancy above that of mass. The part of
 /// this lag that the engine itself compensates is left out: see ForceLag.
 ///
 /// How fast F_B varies: ω² = k/m + k'/I, k = ρ g d per length of the waterline, as a float of mass m bobs,

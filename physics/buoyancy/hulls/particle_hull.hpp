@@ -5,9 +5,9 @@
 
 namespace trembler {
 
-/// Every particle is cut by the one side of the liquid that it sticks out of most, which is a circular
-/// segment; the sums of areas and of centroids are the body's (6.11). The particles' areas add up to the
-/// body's, and their mean is its centroid.
+/// Every particle is cut by the one side of the liquid that it extends beyond most; its part inside is a
+/// circular segment. The body's immersed area and centroid are sums over these parts (6.11). The particles'
+/// areas add up to the body's, and their mean is its centroid.
 class ParticleHull final : public Hull {
 public:
     struct Particle {

@@ -9,9 +9,8 @@ namespace trembler {
 /// in the direction of gravity, so it lifts an object by the weight of the air that the object displaces, and
 /// it resists motion by the same law as a liquid.
 ///
-/// A world that states its air has it act on every movable object. In a world that does not state it, the air
-/// has the values below and acts only on objects that have `InAir`: the others are so heavy that it would
-/// hardly change their motion.
+/// If a world states its air, the air acts on every movable object. If not, it has the values below and acts
+/// only on objects with `InAir`: it would hardly change the motion of other, heavier objects.
 struct Air {
     static constexpr PropertyKind kind = PropertyKind::object;
     static constexpr PropertyText text{

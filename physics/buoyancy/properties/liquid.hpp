@@ -8,11 +8,11 @@ namespace trembler {
 /// Flags an object to be a body of liquid (6.13.1). Its shape, placed and turned as the object, is the
 /// liquid's area; its density is the liquid's. It never moves and has no collisions.
 ///
-/// The surface faces the object's own y axis, so a liquid that is turned has a tilted surface. As the
-/// pressure is the same all over a surface, it grows straight down from it: with density times that part of
-/// gravity which points into the liquid. With a level surface that is Archimedes' principle, eq. 6.1; along a
-/// tilted surface objects slide down, as on a river. (A force against gravity under a tilted surface could
-/// not come from any pressure, and would keep wheels turning for ever.)
+/// The surface faces the object's own y axis, so a liquid that is turned has a tilted surface. The pressure
+/// is equal everywhere on the surface, so it grows at right angles to the surface: with density times the
+/// component of gravity that points into the liquid. With a level surface that is Archimedes' principle, eq.
+/// 6.1; along a tilted surface objects slide down, as on a river. (A force against gravity under a tilted
+/// surface could not come from any pressure, and would keep wheels turning for ever.)
 struct Liquid {
     static constexpr PropertyKind kind = PropertyKind::object;
     static constexpr PropertyText text{

@@ -24,8 +24,8 @@ struct LiquidResistance {
         double yy = 0;      ///< kg/s
         double angular = 0; ///< kg m²/s: torque against the angular velocity
         Vec2 push;          ///< N: added by a current, at the point
-        double rate = 0;    ///< 1/s, at which F_B varies as the object moves: stated here, as whether F_B is
-                            ///< foreseen follows from this resistance; see StateRate
+        double rate = 0;    ///< 1/s, at which F_B varies as the object moves: stated here, because this
+                            ///< resistance determines whether F_B is foreseen; see StateRate
         EventId event;      ///< "enters the liquid"; none without tracing
         template <class Self, class Visitor>
         static void describe(Self& self, Visitor&& visit) {

@@ -8,7 +8,7 @@
 namespace trembler {
 
 /// Integrals of 1, s and s² along the cuts, weighted by how much the liquid's side faces up there; s is the
-/// coordinate across `up`, from the frame's origin to the right when up is up.
+/// coordinate across `up` from the frame's origin, towards the right if `up` points upwards.
 struct Waterline {
     double length = 0; ///< m
     double first = 0;  ///< m²

@@ -1,4 +1,4 @@
-// Which new objects the air acts on.
+// Adds InAir to new objects that are light enough.
 #pragma once
 
 #include "physics/buoyancy/properties/air.hpp"
@@ -10,7 +10,7 @@
 
 namespace trembler {
 
-/// Air changes the weight of an object by the quotient of their densities. From a tenth on this is visible.
+/// Air reduces the weight of an object by the quotient of their densities. A tenth or more is visible.
 inline constexpr double lightInAir = 10 * Air{}.density; // kg/m³
 
 struct AirCompletion final

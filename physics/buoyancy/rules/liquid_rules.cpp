@@ -115,8 +115,8 @@ private:
 
     [[nodiscard]] std::optional<std::string> withOthers(PlacedLiquid const& liquid,
                                                         std::vector<LiquidPiece> const& pieces) const {
-        std::uint32_t before = liquid.first; // of a piece that would be reported instead
-        double first = 0;                    // m², that it overlaps
+        std::uint32_t before = liquid.first; // lowest number of a piece that it overlaps
+        double first = 0;                    // m², of that overlap
         for (std::uint32_t i = 0; i < pieces.size(); ++i) {
             double area = 0;
             auto const overlaps = [&](std::uint32_t number) {

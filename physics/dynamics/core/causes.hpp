@@ -9,8 +9,8 @@
 
 namespace trembler {
 
-/// A cause of a body's motion is also one of all bodies that are joined to it or touch it at that time: a
-/// plank that a magnet pulls carries the ball on it along. Fixed bodies pass no causes on.
+/// A cause of a body's motion is also a cause for all bodies that are joined to it or touch it at that time:
+/// a plank that a magnet pulls carries the ball on it along. Fixed bodies pass no causes on.
 class CauseBook {
 public:
     static constexpr std::size_t most =

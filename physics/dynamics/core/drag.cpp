@@ -5,7 +5,7 @@
 namespace trembler {
 namespace {
 
-// The rest of a load, between all of it and zero.
+// The part of a load that remains, between zero and the whole load.
 double left(double load, double taken) {
     return std::clamp(load + taken, std::min(load, 0.0), std::max(load, 0.0));
 }

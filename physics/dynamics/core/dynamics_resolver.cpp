@@ -59,8 +59,8 @@ void DynamicsResolver::advance(Access& access) {
         overloadNews_ = false;
     }
     if (moved || contactsChanged) {
-        // Bodies that come to rest are reported even if no component reads that yet: one constructed later
-        // then has their final state.
+        // Bodies that come to rest are reported even if no component reads that yet: a component that is
+        // constructed later then has their final state.
         bool const atRest = !simulation_.anyAwake();
         if (moved) {
             updateJoints(access, atRest || access.wanted<JointForces>());

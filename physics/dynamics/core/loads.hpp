@@ -53,7 +53,7 @@ private:
     std::vector<Drag> drags_;  // empty while there is no resistance
     std::vector<Load> atRest_; // under which a body fell asleep
     std::vector<std::uint8_t> asleep_;
-    bool anyAsleep_ = false; // perhaps
+    bool anyAsleep_ = false; // whether some body may be asleep
 };
 
 } // namespace trembler

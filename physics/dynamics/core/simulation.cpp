@@ -247,7 +247,7 @@ bool Simulation::step(double duration, DynamicsColumns const& columns,
 }
 
 void Simulation::checkMotion() const {
-    // Zero times a finite number is zero, times any other it is none: so one test suffices for all bodies.
+    // Zero times a finite number is zero, zero times any other is NaN: so one test suffices for all bodies.
     double sum = 0;
     for (MovedBody const& moved : engine_->moved()) {
         Motion const& motion = moved.motion;

@@ -31,7 +31,7 @@ public:
         access.forChunks(forces.size(), [&](Caller& caller, std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i) {
                 ObjectId const id = forces[i].object;
-                if (Position const* const position = positions.find(id)) { // else it was destroyed
+                if (Position const* const position = positions.find(id)) { // otherwise it was destroyed
                     Rotation const* const rotation = rotations.find(id);
                     double const angle = rotation == nullptr ? 0 : rotation->angle;
                     Vec2 const point = position->value + rotated(centres[i].centre, angle);

@@ -8,9 +8,9 @@
 
 namespace trembler {
 
-/// In the thesis it reads Position, too (6.13.4). As addForce acts at the centre of mass anyway, it does not,
-/// so that it sleeps while objects move and its held forces do not change. It also reads Fixed, as an object
-/// that never moves needs no call, though its mass attracts other objects.
+/// In the thesis it reads Position, too (6.13.4). As addForce acts at the centre of mass anyway, this
+/// interaction does not, so that it sleeps while objects move and its held forces do not change. It also
+/// reads Fixed, as an object that never moves needs no call, though its mass attracts other objects.
 class DynamicsFromGravity final
     : public Interaction<DynamicsFromGravity, DynamicsRole, Reads<GravityForce, Fixed>> {
 public:

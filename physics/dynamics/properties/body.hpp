@@ -87,8 +87,8 @@ struct Bullet {
                                        "position in each step: for fast, small objects."};
 };
 
-/// Which objects can collide: two do if each one's category is in the other's mask, unless both share a group
-/// other than 0: then they collide if it is positive and never if it is negative.
+/// Which objects can collide. If two objects share a group other than 0, they collide if it is positive, and
+/// never if it is negative. Otherwise they collide if each one's category is in the other's mask.
 struct CollisionGroups {
     static constexpr PropertyKind kind = PropertyKind::object;
     static constexpr PropertyText text{"Collision groups", "collision",

@@ -31,8 +31,8 @@ struct TouchingPair {
     }
 };
 
-/// All lists are ascending by pair. A contact that begins and ends within one frame, or one part of it, is in
-/// `brief` only, as an impact that bounces can be.
+/// All lists are ascending by pair. A contact that begins and ends within one frame, or one part of it, for
+/// example an impact that bounces, is in `brief` only.
 struct Contacts {
     static constexpr PropertyKind kind = PropertyKind::resolver;
     static constexpr PropertyText text{

@@ -90,7 +90,7 @@ std::optional<CrowdedStart> crowdedStart(Store const& store) {
         if (!pieces.movable[i]) {
             continue;
         }
-        std::size_t const near = std::max<std::size_t>(1, all.count(pieces.boxes[i])) - 1; // itself
+        std::size_t const near = std::max<std::size_t>(1, all.count(pieces.boxes[i])) - 1; // less itself
         ofMovables += std::max<std::size_t>(1, moving.count(pieces.boxes[i])) - 1;
         crowd.pairs += near;
         if (near > crowd.nearest) {

@@ -1,4 +1,4 @@
-// The pieces of bodies that are near each other, and how many are so many that frames take long.
+// Counts the pieces of bodies that are near each other, and finds crowds that make frames take long.
 #pragma once
 
 #include "physics/box_tree.hpp"
@@ -17,7 +17,7 @@ namespace trembler {
 /// The pieces of all bodies whose shapes are valid.
 struct CrowdPieces {
     std::vector<Bounds> boxes;    ///< around each piece, along the axes
-    std::vector<ObjectId> bodies; ///< the body of each
+    std::vector<ObjectId> bodies; ///< the body of each piece
     std::vector<bool> movable;    ///< whether that body can move
 };
 [[nodiscard]] CrowdPieces crowdPiecesOf(Store const& store);
@@ -25,14 +25,14 @@ struct CrowdPieces {
 /// Bodies that are near so many others that each frame takes long.
 struct CrowdedStart {
     std::size_t pairs = 0; ///< of near pieces of two bodies, of which at least one can move
-    std::size_t usual = 0; ///< the number of pairs up to which nothing is said
-    ObjectId body;         ///< one with a piece that is near most others
+    std::size_t usual = 0; ///< the number of pairs up to which no crowd is reported
+    ObjectId body;         ///< the body of the piece that is near the most others
     std::size_t nearest = 0;
 };
-/// Up to 20,000 pairs (200 bodies in one place), and 16 for each movable piece: a piece that lies among
-/// others, side by side, is near eight of them, and may be in front of some boards. So a level of very many
-/// bodies has no crowd, and 250 in one place are one. Pairs of fixed pieces do not count, as no engine
-/// compares them. In n log n of all pieces; nothing if there is no crowd.
+/// Up to 20,000 pairs (200 bodies in one place), plus 16 for each movable piece, are no crowd: a piece that
+/// lies among others, side by side, is near eight of them, and may be in front of some boards. So a level of
+/// very many bodies has no crowd, but 250 bodies in one place are one. Pairs of fixed pieces do not count, as
+/// no engine compares them. O(n log n) for n pieces; nothing if there is no crowd.
 [[nodiscard]] std::optional<CrowdedStart> crowdedStart(Store const& store);
 /// "31125 pairs of pieces of bodies lie in one another ...". `name` is that of the body.
 [[nodiscard]] std::string inWords(CrowdedStart const& crowd, std::string const& name);

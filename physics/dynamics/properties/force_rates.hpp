@@ -48,13 +48,13 @@ struct ForceRates {
     friend bool operator==(ForceRates const&, ForceRates const&) = default;
 };
 
-/// A force F = -k x that is computed every t and acts on a mass m varies by the phase ω t = t √(k/m) in
-/// between. With compensation of ForceLag, and n steps of the engine in t, the motion is a map of determinant
-/// 1: it conserves (v² + ω² x²)/2 except for terms of ω t / 2n and (ω t)²/4, so the energy ripples by these
-/// and does not grow. Without compensation, or from about ω t = 2 on, it grows without bound. See
-/// docs/measurements/stability.md for measurements.
+/// A force F = -k x that is computed once per time t and acts on a mass m varies by the phase ω t = t √(k/m)
+/// in between. With compensation of ForceLag, and n steps of the engine in t, the motion is a map of
+/// determinant 1: it conserves (v² + ω² x²)/2 except for terms of ω t / 2n and (ω t)²/4, so the energy
+/// ripples by these and does not grow. Without compensation, or from about ω t = 2 on, it grows without
+/// bound. See docs/measurements/stability.md for measurements.
 inline constexpr double followedTurn = 0.6; ///< rad, the greatest phase in a part
-/// s: the longest part of a frame for a force that varies at `rate` (1/s, above 0).
+/// The longest part of a frame, in s, for a force that varies at `rate` (1/s, above 0).
 [[nodiscard]] constexpr double longestPart(double rate) {
     return followedTurn / rate;
 }

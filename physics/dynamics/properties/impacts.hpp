@@ -18,7 +18,7 @@ struct Impact {
     ObjectId b;
     Vec2 point;         ///< m, in the world
     Vec2 normal;        ///< unit, in the world, from a to b
-    double impulse = 0; ///< N s, along the normal, beyond the pressure there before
+    double impulse = 0; ///< N s, along the normal, less that of the pressure before it
     double since = 0;   ///< s, from the beginning of the frame, or of the part that reports it
 
     template <class Self, class Visitor>

@@ -6,7 +6,7 @@
 namespace trembler {
 
 /// How strong the player's hands are, whatever they hold: a hand pulls a heavy object no harder than a light
-/// one. A world that states nothing has hands of the strength that is the default here.
+/// one. A world that does not state its hands has the default strength.
 struct Hands {
     static constexpr PropertyKind kind = PropertyKind::object;
     static constexpr PropertyText text{
@@ -28,7 +28,7 @@ struct Hands {
 };
 
 /// Substeps are better than iterations at equal cost: a stack or a taut chain fails because of the length of
-/// the step, not of the convergence within it. How many a scene needs depends on the scene, see
+/// the step, not of the convergence within it. The number that suffices depends on the scene, see
 /// solver_demand.hpp; an ordinary one gets four.
 struct DynamicsSettings {
     static constexpr PropertyKind kind = PropertyKind::object;

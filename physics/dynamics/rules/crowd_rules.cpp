@@ -18,7 +18,7 @@ std::vector<ObjectFault> checkCrowds(Store const& store, std::size_t most) {
     std::size_t nearest = 0;
     std::size_t crowded = 0; // the piece that is near the most others
     for (std::size_t i = 0; i < pieces.boxes.size() && sum <= 2 * most; ++i) {
-        std::size_t const near = std::max<std::size_t>(1, tree.count(pieces.boxes[i])) - 1; // itself
+        std::size_t const near = std::max<std::size_t>(1, tree.count(pieces.boxes[i])) - 1; // less itself
         sum += near;
         if (near > nearest) {
             nearest = near;

@@ -12,9 +12,9 @@ namespace trembler {
 /// 160 MB and some seconds, 100,000 bodies in one place would take 40 GB.
 inline constexpr std::size_t mostNearPairs = 20'000'000;
 
-/// Two pieces of bodies are near each other if the boxes along the axes around them meet. If there are more
-/// than `most` such pairs, returns the fault of one body: of the pieces counted until the limit is exceeded,
-/// the one that is near most others is a piece of it. In n log n of all pieces. See ObjectRule.
+/// Two pieces of bodies are near each other if their bounding boxes meet. If there are more than `most` such
+/// pairs, returns the fault of one body: it has the piece that is near the most others, among the pieces
+/// counted until the limit is exceeded. O(n log n) for n pieces. See ObjectRule.
 [[nodiscard]] std::vector<ObjectFault> checkCrowds(Store const& store, std::size_t most);
 [[nodiscard]] std::vector<ObjectFault> checkCrowds(Store const& store);
 

@@ -6,8 +6,8 @@
 namespace trembler {
 
 std::vector<std::size_t> blocksOf(std::vector<BlockEdge> const& edges, std::size_t vertices) {
-    // Every connection is two directed edges of a compressed graph. For the algorithm this is the same as an
-    // undirected graph, whose edges are listed at both ends, too; building it is an order of magnitude
+    // Every connection is two directed edges of a compressed graph. For the algorithm this equals an
+    // undirected graph, which lists its edges at both ends, too; building it is an order of magnitude
     // cheaper.
     using Graph = boost::compressed_sparse_row_graph<boost::directedS, boost::no_property, boost::no_property,
                                                      boost::no_property, std::uint32_t, std::uint32_t>;

@@ -17,7 +17,7 @@ class KeptAnalyses {
 public:
     static constexpr std::size_t structuresKept = 3;
     static constexpr std::size_t nodesKept =
-        300'000; ///< of all circuits, about a kilobyte each; beyond, the cache is emptied
+        300'000; ///< of all circuits, about a kilobyte each; with more, the cache is emptied
 
     NodalSolution const& solve(Netlist const& netlist, std::string_view network);
 

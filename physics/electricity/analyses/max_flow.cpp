@@ -95,7 +95,7 @@ private:
     [[nodiscard]] FlowVertex sink() const { return 2 * order_.size() + 1; }
     [[nodiscard]] FlowVertex gate() const { return 2 * order_.size() + 2; }
 
-    /// A vertex's place in the order, or notThere. In log n.
+    /// A vertex's place in the order, or notThere. O(log n).
     [[nodiscard]] std::uint32_t placeOf(std::uint32_t vertex) const {
         ObjectId const object = circuit_.objects[vertex];
         auto const at =
@@ -122,7 +122,7 @@ private:
         std::sort(places.begin(), places.end());
         std::for_each(places.begin(), places.end(), f);
     }
-    // The nodes that can still be reached from the source are the smallest source side of any minimum cut
+    // The nodes that can still be reached from the source are the smallest source side of all minimum cuts
     // (Ford and Fulkerson 1962), whichever maximum flow was found.
     void cut(MaxFlow& found) const {
         std::vector<std::uint8_t> reached(boost::num_vertices(graph_), 0);
@@ -145,7 +145,7 @@ private:
             }
         }
     }
-    // Divides the flow into paths from source to return. Flow in circles remains and does not count.
+    // Divides the flow into paths from source to return. Flow in cycles is left and does not count.
     void peel(MaxFlow& found) {
         std::vector<std::size_t> next(boost::num_vertices(graph_), 0);
         std::vector<Edge> way;
@@ -177,13 +177,13 @@ private:
                 ++next[here];
             }
             if (next[here] == degree) {
-                return; // only the gate can run dry: elsewhere the flow out equals the flow in
+                return; // only the gate can have no flow left: elsewhere the flow out equals the flow in
             }
             Edge const e = first[static_cast<std::ptrdiff_t>(next[here])];
             FlowVertex const to = boost::target(e, graph_);
             way.push_back(e);
             here = to;
-            if (onWay[to] != 0) { // a circle
+            if (onWay[to] != 0) { // a cycle
                 auto const start = std::find_if(
                     way.begin(), way.end(), [&](Edge const& x) { return boost::source(x, graph_) == to; });
                 Microamperes least = unlimited;

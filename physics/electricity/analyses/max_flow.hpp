@@ -33,7 +33,7 @@ struct MaxFlow {
 /// The maximum flow from the source node to the return node of one network in a circuit (Boykov and
 /// Kolmogorov 2004, by the Boost Graph Library), and the minimum cut. Total and bottleneck depend on the
 /// circuit alone; the distribution of the flow among parallel paths also depends on the order of the ids.
-/// `members` is that of the circuit, `capacities` by vertex. Looks only at plain conductors and the network's
+/// `members` is that of the circuit, `capacities` by vertex. Visits only plain conductors and the network's
 /// own vertices, so that the cost does not depend on the other networks.
 [[nodiscard]] MaxFlow maxFlow(Circuit const& circuit, NetworkMembers const& members, std::string_view network,
                               std::span<Microamperes const> capacities);

@@ -9,8 +9,8 @@ namespace trembler {
 namespace {
 
 constexpr std::uint32_t noCluster = std::numeric_limits<std::uint32_t>::max();
-// As a share of the current that the EMFs could drive: less is the rounding error of the potentials, which
-// are exact to 1e-32. A current through a circuit's resistances is at least 1e-16 of it, over their number.
+// A share of the current that the EMFs could drive. Smaller currents are rounding errors of the potentials,
+// which are exact to 1e-32. A current through resistances is at least 1e-16 of it, divided by their number.
 constexpr double roundingShare = 1e-26;
 
 /// Disjoint sets whose representative is their least element.
@@ -211,7 +211,7 @@ void NodalAnalysis::solveWithinClusters() {
     }
     for (std::uint32_t v = 0; v < nodes(); ++v) {
         if (std::uint32_t const c = clusterOf(v); grounded[c] == 0) {
-            fixed[v] = 1; // the first of its cluster
+            fixed[v] = 1; // the first node of its cluster
             grounded[c] = 1;
         }
     }

@@ -16,11 +16,11 @@ struct NodalSolution {
         double power = 0;    ///< W of heat, a source's internal resistance included
         double supplied = 0; ///< W from its EMF
         bool floating = false;
-        bool shorted = false; ///< a source: see shortCircuit
+        bool shorted = false; ///< a source: see shortedShare
     };
     std::vector<Object> objects;  ///< by node
     std::vector<double> currents; ///< A, by branch, from `from` to `to`
-    double largest = 0;           ///< A, the largest of them
+    double largest = 0;           ///< A, the largest current
     /// The error in Kirchhoff's first law at the worst object, as a share of the largest current. 0 if no
     /// current flows: if all are less than 1e-26 of what the EMFs could drive, which is rounding error only.
     double residual = 0;
@@ -44,7 +44,7 @@ public:
     /// the last call, nothing is computed again; if only its structure is the same, the symbolic
     /// factorisation is reused.
     NodalSolution const& solve(Netlist const& netlist);
-    /// Whether the last netlist had the same structure, up to the values of resistances above zero.
+    /// Whether the last netlist had the same structure, apart from the values of resistances above zero.
     [[nodiscard]] bool sameStructure(Netlist const& netlist) const;
 
     /// Of the last netlist, by node, the return node included: nodes that ideal conductors join have the same

@@ -92,7 +92,8 @@ std::uint32_t PlainForest::highest(std::uint32_t begin, std::uint32_t end) const
     return higher(table_[k][begin], table_[k][end - (std::uint32_t{1} << k)]);
 }
 
-// Between two nodes in a depth-first order the highest one is a child of their common ancestor.
+// Among the nodes between two nodes in a depth-first order, the highest one is a child of their common
+// ancestor.
 std::uint32_t PlainForest::commonAncestor(std::uint32_t a, std::uint32_t b) const {
     if (a == b) {
         return a;

@@ -10,15 +10,15 @@
 namespace trembler {
 
 /// The forest of the blocks of the plain conductors (Harary and Prins 1966). A block is a largest set of
-/// conductors of which any two are connected by two ways without a common conductor between them, or a single
-/// connection. Nodes of the forest are the circuit's vertices, numbered as in the circuit, and after them the
-/// blocks; a block is joined to its vertices. Vertices that are not plain are no part of it. So each way
-/// between two plain conductors leads through the nodes between them in the forest.
+/// conductors of which any two are connected by two paths without a common conductor between them, or a
+/// single connection. Nodes of the forest are the circuit's vertices, numbered as in the circuit, and after
+/// them the blocks; a block is joined to its vertices. Vertices that are not plain are no part of it. So each
+/// path between two plain conductors leads through the nodes between them in the forest.
 class PlainForest {
 public:
     static constexpr std::uint32_t none = 0xffffffffU;
 
-    /// In n log n.
+    /// O(n log n).
     PlainForest(Circuit const& circuit, NetworkMembers const& members);
 
     [[nodiscard]] bool isBlock(std::uint32_t node) const { return node >= vertices_; }
@@ -29,12 +29,12 @@ public:
     [[nodiscard]] bool sameTree(std::uint32_t a, std::uint32_t b) const {
         return nodes_[a].root == nodes_[b].root;
     }
-    /// The lowest node that is above both, or one of them; of nodes of one tree.
+    /// The lowest node that is above both, or one of them. Both must belong to one tree.
     [[nodiscard]] std::uint32_t commonAncestor(std::uint32_t a, std::uint32_t b) const;
-    /// The child of `above` on the way to `below`, which is below it.
+    /// The child of `above` on the path to `below`, which is below it.
     [[nodiscard]] std::uint32_t childTowards(std::uint32_t above, std::uint32_t below) const;
 
-    /// The nodes from `above` down to `below` carry current.
+    /// Marks that the nodes from `above` down to `below` carry current.
     void markPath(std::uint32_t above, std::uint32_t below) {
         ++paths_[below];
         --paths_[above];
@@ -59,7 +59,7 @@ private:
     void findBlocks(Circuit const& circuit, NetworkMembers const& members);
     void makeTrees(NetworkMembers const& members);
     void makeTable();
-    // The highest node in a range of places, and of several the last one.
+    // The highest node in a range of places; if several are equally high, the last one.
     [[nodiscard]] std::uint32_t highest(std::uint32_t begin, std::uint32_t end) const;
     [[nodiscard]] std::uint32_t higher(std::uint32_t earlier, std::uint32_t later) const {
         return nodes_[earlier].depth < nodes_[later].depth ? earlier : later;

@@ -9,7 +9,7 @@ namespace trembler {
 
 namespace {
 
-// All that can be reached from the sources of one network, in a circuit of one network.
+// Marks all vertices that can be reached from the sources, in a circuit of one network.
 void markReached(Circuit const& circuit, std::vector<std::uint8_t>& on) {
     std::vector<std::uint32_t> reached;
     for (Circuit::Terminal const& source : circuit.sources) {
@@ -26,8 +26,9 @@ void markReached(Circuit const& circuit, std::vector<std::uint8_t>& on) {
     }
 }
 
-/// Networks that share plain conductors. Connected plain conductors are one region, which a network reaches
-/// as a whole, so the work for all networks together is n log n of the circuit's vertices and connections.
+/// Marks the vertices of networks that share plain conductors. Connected plain conductors are one region,
+/// which a network reaches as a whole. So all networks together take O(n log n) for the n vertices and
+/// connections of the circuit.
 class SingleCableNetworks {
 public:
     SingleCableNetworks(Circuit const& circuit, std::vector<std::uint8_t>& on)
@@ -90,7 +91,8 @@ private:
         }
         ++regionCount_;
     }
-    // A plain conductor with its region, or one of the network's own vertices, which have no other network.
+    // Reaches a plain conductor with its region, or one of the network's own vertices, which are in no other
+    // network.
     void reach(std::uint32_t v) {
         if (!members_.isPlain(v)) {
             if (on_[v] == 0) {
@@ -129,7 +131,7 @@ void markSingleCable(Circuit const& circuit, std::vector<std::uint8_t>& on) {
     if (circuit.sources.empty()) {
         return;
     }
-    if (circuit.sources.front().network == circuit.sources.back().network) { // as nearly always
+    if (circuit.sources.front().network == circuit.sources.back().network) { // the usual case
         markReached(circuit, on);
         return;
     }

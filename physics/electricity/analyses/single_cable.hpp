@@ -7,8 +7,8 @@
 
 namespace trembler {
 
-/// Marks every vertex that is connected to a source of a network in which it may take part. O(v + e) for each
-/// network that has a source here.
+/// Marks every vertex that is connected to a source of a network in which it may take part. O(v + e) for a
+/// circuit of one network; for a circuit of several, O(n log n) in all, with n = v + e.
 void markSingleCable(Circuit const& circuit, std::vector<std::uint8_t>& on);
 
 class SingleCableElectricity final

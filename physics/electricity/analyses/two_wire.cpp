@@ -84,7 +84,7 @@ void markTwoWire(Circuit const& circuit, std::vector<std::uint8_t>& on) {
         }
         rest = rest.subspan(terminalsOf(circuit.sources, network).size());
     }
-    if (networks.size() == 1) { // as nearly always; the whole circuit costs less than its forest
+    if (networks.size() == 1) { // the usual case; the whole circuit costs less than its forest
         markNetwork(circuit, terminalsOf(circuit.sources, networks.front()),
                     terminalsOf(circuit.returns, networks.front()), on);
     } else if (!networks.empty()) {

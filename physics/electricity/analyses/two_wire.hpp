@@ -10,7 +10,8 @@ namespace trembler {
 /// Marks every vertex that has two paths, one to the source and one to the return of a network, with only the
 /// vertex itself in common: exactly the vertices in the block (maximal 2-connected subgraph) of the virtual
 /// edge between source and return (A.6.1, proof in A.6.3; blocks after Tarjan 1972, by the Boost Graph
-/// Library). O(v + e) for each network that has both here.
+/// Library). O(v + e) for a circuit of one network; for a circuit of several, O(n log n) in all, with
+/// n = v + e.
 ///
 /// Source and return are separate nodes to which the objects are joined, so that any number of objects can be
 /// sources, a wire directly from a source to a return is treated like others, and a battery is on only while

@@ -13,7 +13,7 @@ constexpr std::uint32_t twoWireSource = 0; // of a network's graph
 constexpr std::uint32_t twoWireReturn = 1;
 
 /// The graphs of networks, one after another: source node, return node, the network's own vertices, and the
-/// nodes of the forest where these are joined to plain conductors, with the ways between these nodes.
+/// nodes of the forest where these are joined to plain conductors, with the paths between these nodes.
 class TwoWireGraph {
 public:
     TwoWireGraph(Circuit const& circuit, NetworkMembers const& members, PlainForest& forest,
@@ -35,7 +35,7 @@ public:
     }
 
 private:
-    /// A connection, or a way in the forest: down from `above` to `below`, or through the block `above`.
+    /// A connection, or a path in the forest: down from `above` to `below`, or through the block `above`.
     struct Edge {
         std::uint32_t a = 0;
         std::uint32_t b = 0;
@@ -77,8 +77,8 @@ private:
             }
         }
     }
-    // The nodes of the forest on the ways between the touched conductors that are touched themselves or join
-    // several ways, and the ways between neighbours among these nodes.
+    // Joins the nodes of the forest that are touched or at which paths between touched conductors meet: an
+    // edge for the path between any two neighbours among these nodes.
     void joinForest() {
         auto const before = [&](std::uint32_t a, std::uint32_t b) {
             return forest_.placeOf(a) < forest_.placeOf(b);
@@ -92,7 +92,7 @@ private:
         }
         std::sort(nodes.begin(), nodes.end(), before);
         nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
-        // A block's conductors that are nodes here, or through which a way enters it.
+        // The conductors of a block that are nodes here, or through which a path enters the block.
         std::vector<std::pair<std::uint32_t, std::uint32_t>> inBlocks; // block, vertex
         for (std::size_t i = 1; i < nodes.size(); ++i) {
             if (forest_.sameTree(nodes[i - 1], nodes[i])) {
@@ -123,7 +123,8 @@ private:
             edges_.push_back({numberOf(top), numberOf(bottom), top, bottom});
         }
     }
-    // A circle through the conductors, of which each two have two ways between them, as in the block itself.
+    // Joins the conductors in a cycle, so that any two of them have two paths between them, as in the block
+    // itself.
     void joinBlock(std::span<std::pair<std::uint32_t, std::uint32_t> const> in) {
         std::size_t const count = in.size() == 2 ? 1 : in.size();
         for (std::size_t i = 0; i < count; ++i) {
@@ -176,7 +177,7 @@ private:
     std::vector<std::uint8_t>& on_;
     std::vector<std::uint32_t> numbers_;  // by vertex: in the graph of this network, or none
     std::vector<std::uint32_t> vertices_; // by number, less 2
-    std::vector<std::uint32_t> touched_;  // plain conductors among them
+    std::vector<std::uint32_t> touched_;  // plain conductors among these vertices
     std::vector<Edge> edges_;
 };
 

@@ -20,7 +20,7 @@ constexpr std::size_t journalLimit = 4096;
 }
 
 /// Removes connections of the graph, each of which is named once. All together, because a row is a sorted
-/// list: one after the other, those of a hub would take the square of their number.
+/// list: removing the connections of a hub one after the other would take the square of their number.
 void removeConnections(Column<ElectricityGraph>& graph, std::vector<std::pair<ObjectId, ObjectId>> pairs) {
     for (std::size_t i = pairs.size(); i-- > 0;) {
         pairs.emplace_back(pairs[i].second, pairs[i].first);
@@ -28,7 +28,7 @@ void removeConnections(Column<ElectricityGraph>& graph, std::vector<std::pair<Ob
     std::sort(pairs.begin(), pairs.end());
     for (auto next = pairs.begin(); next != pairs.end();) {
         ObjectId const vertex = next->first;
-        // Both lists ascend, so one pass finds what is in both.
+        // Both lists ascend, so one pass finds their common entries.
         std::erase_if(graph[vertex].connections, [&](ElectricityGraph::Connection const& connection) {
             while (next != pairs.end() && next->first == vertex && next->second < connection.to) {
                 ++next;
@@ -67,7 +67,7 @@ void ElectricityResolver::followObjects(Access& access) {
     seen_ = versions;
 }
 
-// New conductors become vertices; vanished ones are removed from the graph with their connections.
+// New conductors become vertices; vertices that are no longer conductors are removed with their connections.
 void ElectricityResolver::followVertices(Access& access) {
     std::span<ObjectId const> const now = access.read<Conductor>().owners();
     std::vector<ObjectId> const missing = without(now, access.read<ElectricityGraph>().owners());
@@ -93,7 +93,7 @@ void ElectricityResolver::followVertices(Access& access) {
     }
 }
 
-// A walk over the whole graph, in frames in which a conductor disappeared. The row of a destroyed object no
+// Walks over the whole graph, in frames in which a conductor disappeared. The row of a destroyed object no
 // longer exists, so the objects that were connected to it can be found by their own rows only.
 void ElectricityResolver::dropLooseEnds(Access& access) {
     auto const& graph = access.read<ElectricityGraph>();
@@ -113,7 +113,7 @@ void ElectricityResolver::dropLooseEnds(Access& access) {
     }
 }
 
-// An object whose part in the networks has changed may switch others on or off.
+// An object whose part in the networks has changed may switch other objects on or off.
 void ElectricityResolver::followNetworks(Access& access) {
     std::vector<NetworkPart> now;
     auto const& conductors = access.read<Conductor>();
@@ -141,8 +141,8 @@ void ElectricityResolver::followNetworks(Access& access) {
 }
 
 // An interaction that was removed because the scene no longer needs it cannot remove the connections that it
-// added. So they are removed here, as its held calls are; if it is constructed again it begins with none. A
-// walk over the whole graph, in the frame after an interaction was removed.
+// added. So they are removed here, as its held calls are; if it is constructed again it begins with none.
+// Walks over the whole graph, in the frame after an interaction was removed.
 void ElectricityResolver::followCallers(Access& access) {
     std::span<CallerId const> const now = access.callers();
     if (!first_ && std::equal(now.begin(), now.end(), callers_.begin(), callers_.end())) {

@@ -13,9 +13,8 @@
 
 namespace trembler {
 
-/// Light-weight: a derived property set finds which objects a change switches on or off. Besides calls, only
-/// the creation and removal of objects and callers changes the graph; a frame without any of these costs
-/// O(1).
+/// Cheap: a derived property set finds which objects a change switches on or off. Besides calls, only the
+/// creation and removal of objects and callers changes the graph; a frame without any of these costs O(1).
 class ElectricityResolver final
     : public Resolver<ElectricityResolver, ElectricityRole,
                       Reads<Conductor, ElectricalSource, ElectricalReturn>,
@@ -64,7 +63,7 @@ private:
     /// Whether the object takes connections.
     [[nodiscard]] static bool conducts(Access& access, ObjectId id);
     using VertexPair = std::pair<ObjectId, ObjectId>;
-    /// `removed` gets the pair if it is connected no more; its rows still have it.
+    /// Adds the pair to `removed` if it is no longer connected; its rows still contain it.
     void changePair(Access& access, std::span<Change const> changes, std::vector<VertexPair>& removed);
     void publish(Access& access);
     void touch(ObjectId object, EventId event = {}) { touched_.push_back({object, event, 0}); }

@@ -28,8 +28,7 @@ void ElectricityResolver::induceVoltages(Access& access) {
 }
 
 // A held connection is counted once, from the advance in which it is first held on. A connection that ended
-// with an object, a fuse or a caller has no count left that could be taken back, and taking from zero leaves
-// zero.
+// with an object, a fuse or a caller has the count zero, from which subtracting has no effect.
 void ElectricityResolver::followHeld(Access& access) {
     std::vector<HeldConnections::Held> now;
     access.forCalls<HoldConnection>([&](HoldConnection const& call, CallOrigin const& origin) {

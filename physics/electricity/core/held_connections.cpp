@@ -39,7 +39,7 @@ std::vector<HeldConnections::Difference> HeldConnections::replace(std::vector<He
     }
     for (Difference& difference : differences) {
         if (difference.delta < 0) {
-            difference.held.event = {}; // there was no call; the held one has ended
+            difference.held.event = {}; // a held call that ends has no event
         }
     }
     held_ = std::move(now);

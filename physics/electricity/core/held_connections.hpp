@@ -10,8 +10,8 @@
 
 namespace trembler {
 
-/// A held call is received in every turn, but a counted set is changed by differences. This remembers which
-/// held connections have been counted and finds the differences. Not thread-safe.
+/// A held call is received in every turn, but a counted set is changed by differences. This class remembers
+/// which held connections have been counted and finds the differences. Not thread-safe.
 class HeldConnections {
 public:
     struct Held {

@@ -27,7 +27,8 @@ inline constexpr double unstatedEmf = 12;
 
 /// Nodes are the middles of the objects that take part in the network, in order of their ids, and after them
 /// the return node, at 0 V. A branch is a connection between two objects, or of a terminal with the return
-/// node; that of a source contains its EMF. A branch holds half the resistance of each object at its ends.
+/// node; the branch of a source contains its EMF. A branch holds half the resistance of each object at its
+/// ends.
 struct Netlist {
     enum class Kind : std::uint8_t { connection, source, returning };
     struct Branch {
@@ -48,7 +49,7 @@ struct Netlist {
 
 /// The netlist of one network in a circuit. It does not depend on the order in which the circuit was walked.
 /// For circuits of many networks `members` are those of the circuit: then only the network's own vertices and
-/// the plain conductors are looked at, instead of all vertices. The netlist is the same.
+/// the plain conductors are visited, instead of all vertices. The netlist is the same.
 void makeNetlist(Circuit const& circuit, NodalColumns const& columns, std::string_view network,
                  Netlist& netlist, NetworkMembers const* members = nullptr);
 

@@ -6,7 +6,7 @@ namespace trembler {
 
 NetworkMembers::NetworkMembers(Circuit const& circuit)
     : circuit_(circuit), names_(circuit.networks), rank_(circuit.size()) {
-    names_.emplace_back(); // plain, even if there are no plain conductors
+    names_.emplace_back(); // that of plain conductors, even if there are none
     std::sort(names_.begin(), names_.end());
     names_.erase(std::unique(names_.begin(), names_.end()), names_.end());
     begins_.assign(names_.size() + 1, 0);
@@ -23,7 +23,7 @@ NetworkMembers::NetworkMembers(Circuit const& circuit)
     for (std::uint32_t v = 0; v < circuit.size(); ++v) {
         byRank_[next[rank_[v]]++] = v;
     }
-    // Each vertex enters itself with its neighbours, in order of ranks, so every row is in that order.
+    // Each vertex is entered into its neighbours' rows, in order of ranks, so every row is in that order.
     neighbours_.resize(circuit.neighbours.size());
     next.assign(circuit.offsets.begin(), circuit.offsets.end() - 1);
     for (std::uint32_t const v : byRank_) {

@@ -11,8 +11,9 @@
 
 namespace trembler {
 
-/// Plain conductors take part in every network, other vertices in their own. Made in n log n of the circuit's
-/// vertices plus its connections; refers to the circuit, which must not change meanwhile.
+/// Plain conductors take part in every network, other vertices in their own. Made in O(n log n) for the n
+/// vertices of the circuit, and linear in its connections; refers to the circuit, which must not change
+/// meanwhile.
 class NetworkMembers {
 public:
     explicit NetworkMembers(Circuit const& circuit);
@@ -28,7 +29,7 @@ public:
     [[nodiscard]] std::span<std::uint32_t const> plainNeighboursOf(std::uint32_t vertex) const {
         return neighboursWithRank(vertex, 0);
     }
-    /// The neighbours of a vertex that take part in this network only. In log n.
+    /// The neighbours of a vertex that take part in this network only. O(log n).
     [[nodiscard]] std::span<std::uint32_t const> ownNeighboursOf(std::uint32_t vertex,
                                                                  std::string_view network) const {
         return neighboursWithRank(vertex, rankOf(network));
@@ -50,7 +51,7 @@ private:
     std::vector<std::uint32_t> neighbours_; // as in the circuit, but those of a vertex by rank
 };
 
-/// The terminals of one network, of a circuit's list of all. In log n.
+/// The terminals of one network, out of a circuit's list of all terminals. O(log n).
 [[nodiscard]] std::span<Circuit::Terminal const> terminalsOf(std::vector<Circuit::Terminal> const& all,
                                                              std::string_view network);
 

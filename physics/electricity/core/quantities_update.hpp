@@ -15,7 +15,7 @@ namespace trembler {
 /// The results for one circuit.
 struct CircuitQuantities {
     ElectricalQuantities::Circuit circuit;
-    std::vector<ElectricalQuantities::Entry> entries; ///< every object of it
+    std::vector<ElectricalQuantities::Entry> entries; ///< every object of the circuit
 };
 
 /// The results that are known before the analysis: the circuit's objects, and the reason for its level.

@@ -13,7 +13,7 @@ namespace trembler {
 
 /// Finds the objects that are on now. Only circuits with changes are analysed, or all circuits if the journal
 /// of changes does not reach back to the last update. In both cases the result is compared with the present
-/// state, so it does not matter which level computed that.
+/// state, so it does not matter which level computed it.
 class StateUpdate {
 public:
     /// Marks which vertices of a circuit are on. `on` has a 0 for every vertex. Called once for each circuit

@@ -40,7 +40,7 @@ void ElectricityFromDynamics::apply(Access& access) {
         access.call(AddConnection{{pair.a, pair.b}}, pair.event);
     };
     auto const end = [&](TouchingPair const& pair) {
-        if (conductors.has(pair.a) && conductors.has(pair.b)) { // else the graph has already removed it
+        if (conductors.has(pair.a) && conductors.has(pair.b)) { // otherwise it is removed already
             access.call(RemoveConnection{{pair.a, pair.b}}, endOf(pair, contacts.ended));
         }
     };

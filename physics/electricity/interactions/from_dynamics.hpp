@@ -13,9 +13,9 @@ namespace trembler {
 
 /// Connects conductors that begin to touch and disconnects conductors that cease to touch.
 ///
-/// It does not add up C_N and C_P, but compares C_C with the connections that it has made. So no contact is
-/// counted twice, and none is left over, if it misses a frame (a period), is applied for another reason than
-/// a change of contacts, or is constructed while objects touch already. For this it reads G_E, too.
+/// It does not add up C_N and C_P, but compares C_C with the connections that it has made. So each contact is
+/// counted once and removed once, even if it misses a frame (a period), is applied for another reason than a
+/// change of contacts, or is constructed while objects touch already. For this it reads G_E, too.
 class ElectricityFromDynamics final : public Interaction<ElectricityFromDynamics, ElectricityRole,
                                                          Reads<Contacts, Conductor, ElectricityGraph>> {
 public:

@@ -78,7 +78,7 @@ struct ElectricalQuantities {
         ElectricalReason reason = ElectricalReason::onOffOnly;
         ObjectId because;    ///< the first object that is the reason, if any
         double residual = 0; ///< nodal: the error in Kirchhoff's first law, as a share of the largest current
-        bool floating = false;            ///< all of it
+        bool floating = false;            ///< the whole circuit
         std::vector<ObjectId> shorted;    ///< sources, ascending
         double flow = 0;                  ///< flow: A, the greatest possible current
         std::vector<ObjectId> bottleneck; ///< flow: the objects that limit it, nearest the source; ascending

@@ -3,7 +3,7 @@
 namespace trembler {
 namespace {
 
-// Up to the limit.
+// The number of contacts with movable bodies, counted up to the limit.
 int countMoving(b2Body* body) {
     int count = 0;
     for (b2ContactEdge* edge = body->GetContactList(); edge != nullptr && count < CrowdFilter::mostContacts;
@@ -44,8 +44,8 @@ bool CrowdFilter::ShouldCollide(b2Fixture* fixtureA, b2Fixture* fixtureB) {
     }
     b2Body* const a = fixtureA->GetBody();
     b2Body* const b = fixtureB->GetBody();
-    // No contact is created without calling this function, so as long as their number is as expected none has
-    // been destroyed, and crowded bodies are still crowded.
+    // No contact is created without calling this function. So while the number of contacts is as expected,
+    // none has been destroyed, and crowded bodies are still crowded.
     int32 const contacts = a->GetWorld()->GetContactCount();
     if (contacts != expected_) {
         ++turn_;

@@ -23,8 +23,8 @@ public:
 
 private:
     struct Crowd {
-        int atMost = 0; // contacts with other movable bodies: the last count, and the contacts made since
-        std::uint64_t fullIn = 0; // the turn in which they were counted as the most that may be
+        int atMost = 0; // contacts with other movable bodies: the last count plus the contacts made since
+        std::uint64_t fullIn = 0; // the turn in which their count was at the limit
     };
     [[nodiscard]] Crowd& crowdOf(b2Body* body);
     [[nodiscard]] bool isCrowded(b2Body* body);

@@ -178,13 +178,13 @@ private:
     float substep_ = 0;                    // s
     bool anyAwake_ = false;
     bool disturbed_ = false;       // Box2D may have woken bodies that awake_ does not include
-    std::vector<MovedBody> moved_; // more than there are, to reuse their memory
+    std::vector<MovedBody> moved_; // the first movedCount_ are valid; longer, to reuse memory
     std::size_t movedCount_ = 0;
     std::vector<std::uint8_t> movedMarks_; // by slot: was awake in an earlier substep of this step
     std::vector<TouchChange> touches_;
     std::vector<b2Body*> wakeStack_;
     int added_ = 0;            // bodies since Box2D last searched for new contacts
-    int removed_ = 0;          // while such bodies wait
+    int removed_ = 0;          // bodies removed while such bodies wait
     std::vector<Place> start_; // by slot: places of awake bodies at the beginning of the substep
     bool touchesAtEnd_ = true;
     bool watching_ = false; // start_ is used

@@ -37,8 +37,8 @@ SubstepMotion Box2dEngine::motionFrom(SlotIndex slot, Place const& start) const 
             static_cast<float>(bodies_[slot].extent * scale_)};
 }
 
-// By positions, not by velocities: the correction of overlaps moves bodies that have no velocity, and may
-// even move one back to where it was at the beginning of the substep.
+// Measured by positions, not by velocities: the correction of overlaps moves bodies that have no velocity,
+// and may even move one back to where it was at the beginning of the substep.
 void Box2dEngine::noteSubstepMotions() {
     substepMotions_.resize(bodies_.size());
     movedFar_.assign(bodies_.size(), Moved::little);

@@ -173,8 +173,8 @@ void JointsAtOnce::findStructure() {
     factor.ldlt.analyzePattern(factor.matrix);
 }
 
-// Every pair of rows that share a body is an entry of the matrix. As no two rows share more than two bodies,
-// more than twice as many pairs as the factor may have entries make it too dense in any order.
+// Every pair of rows that share a body is an entry of the matrix, and two rows share at most two bodies. So
+// with more than twice as many pairs as the factor may have entries, it is too dense in any order.
 bool JointsAtOnce::pairsExceed(std::size_t most) const {
     std::size_t pairs = 0;
     for (Mover const& mover : movers_) {

@@ -16,7 +16,7 @@ struct SubstepMotion {
 };
 
 /// By b2CollidePolygons(), two polygons touch if a point of one lies within the sum of their skins before a
-/// face of the other, and no farther beyond the face's ends: sqrt(2) of that sum, and rounding.
+/// face of the other, and no farther beyond the face's ends: at most √2 times that sum, and rounding.
 inline constexpr float skinFactor = 1.5F;
 
 /// Whether |way| + |turn| * extent > limit.

@@ -79,8 +79,8 @@ JointRows::Coordinate JointRows::turn(Ends const& ends) const {
     return {ends.a.angle - ends.b.angle - anchors_.referenceAngle, {{{a_, {}, 1}, {b_, {}, -1}}}};
 }
 
-// Displacement along a direction that rotates with b: b's rotation moves points that are farther from its
-// centre.
+// The displacement along a direction that rotates with b. As b's rotation turns the direction, b's arm
+// reaches to the anchor of a.
 JointRows::Coordinate JointRows::shift(Ends const& ends, Vec2 direction) const {
     return {dot(direction, ends.apart),
             {{{a_, direction, cross(ends.armA, direction)},
@@ -123,7 +123,7 @@ void JointRows::rigid(Coordinate const& along, double error) {
 void JointRows::pin(Ends const& ends) {
     for (Vec2 const direction : {Vec2{1, 0}, Vec2{0, 1}}) {
         Coordinate along = shift(ends, direction);
-        // A direction fixed in the world rotates with no body.
+        // The direction is fixed in the world, so no body rotates it.
         along.terms[1].angular = -cross(ends.armB, direction);
         rigid(along, along.value);
     }

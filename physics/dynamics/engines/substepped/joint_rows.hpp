@@ -10,7 +10,7 @@ namespace trembler {
 
 /// The state of a body in a joint. The world and fixed bodies have inverse masses of 0.
 struct JointPose {
-    Vec2 centre;               ///< m, of mass
+    Vec2 centre;               ///< m, centre of mass
     double angle = 0;          ///< rad
     double inverseMass = 0;    ///< 1/kg
     double inverseInertia = 0; ///< 1/(kg m²)

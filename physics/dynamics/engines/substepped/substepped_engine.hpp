@@ -1,5 +1,5 @@
-// Features that rigid-body libraries other than Box2D lack or define differently: constant loads, drag,
-// sleeping islands, beginning and ending contacts, impacts, a speed limit.
+// An engine with the features that rigid-body libraries other than Box2D lack or define differently: constant
+// loads, drag, sleeping islands, beginning and ending contacts, impacts, a speed limit.
 #pragma once
 
 #include "physics/dynamics/engines/body_core.hpp"
@@ -63,9 +63,9 @@ protected:
     virtual void dropJoint(SlotIndex slot) = 0;
     [[nodiscard]] virtual Motion motionOf(SlotIndex slot) const = 0;
     virtual void setMotion(SlotIndex slot, Motion const& motion) = 0;
-    /// The library moves the body again from now on.
+    /// Makes the library move the body again from now on.
     virtual void rouse(SlotIndex slot) = 0;
-    /// The library leaves these bodies, which rest on each other, in place from now on.
+    /// Makes the library leave these bodies, which rest on each other, in place from now on.
     virtual void layToRest(std::span<SlotIndex const> island) = 0;
     /// Moves all awake bodies by a substep of `h` (s) and reports contacts in which at least one body is
     /// awake.

@@ -6,7 +6,7 @@
 
 namespace trembler {
 
-/// Of a shape with its mass spread evenly over the area of its pieces; overlaps of pieces count twice.
+/// The distribution of a mass that is spread evenly over the area of a shape's pieces; overlaps count twice.
 struct MassProperties {
     double area = 0;           ///< m²
     Vec2 centre;               ///< m, centre of mass in the object's frame

@@ -23,7 +23,7 @@ bool finite(ShapePiece const& piece) {
                        [](Vec2 corner) { return isFinite(corner); });
 }
 
-// The measures that its form uses.
+// The measures that the form of the piece uses.
 std::tuple<double, double, double> measuresOf(ShapePiece const& piece) {
     switch (piece.form) {
     case ShapeForm::circle:
