@@ -169,8 +169,8 @@ void ScriptedInteraction::hashState(StateHash& hash) const {
 
 // ---- The targets, always in the order of objects.
 
-/// Whether the targets of the last turn are those of this one: no object has come to one of the columns by
-/// which they are found or left it, and where objects state their own parameters, none has stated others.
+/// Whether this turn has the targets of the last one: no object was added to or removed from the columns by
+/// which targets are found, and no object has changed the parameters that it states.
 bool ScriptedInteraction::targetsStand() {
     if (script_->manifest.application != Application::each) {
         return script_->manifest.application == Application::once && !targets_.empty();
