@@ -43,7 +43,7 @@ TEST(Golden, HashesOfEveryLevelAreThoseOfTheGoldenFile) {
     std::ifstream file(goldenFile);
     ASSERT_TRUE(file) << goldenFile;
     auto const golden = nlohmann::ordered_json::parse(file);
-    // A line for each that differs: the file is long.
+    // A line for each difference: the file is long.
     for (auto const* const all : {&golden, &std::as_const(now)}) {
         for (auto const& [level, ofLevel] : all->items()) {
             for (auto const& [run, hashes] : ofLevel.items()) {
