@@ -13,7 +13,8 @@
 
 namespace trembler::render::test {
 
-/// Opened on first use and kept: a context costs a tenth of a second and SDL likes one window at a time.
+/// Opened on first use and kept: a context costs a tenth of a second and SDL works best with one window at a
+/// time.
 inline Window& window() {
     static Window theWindow({.size = {640, 480}, .mode = WindowMode::Offscreen});
     return theWindow;

@@ -1,4 +1,4 @@
-// The switches among the parts: what closes them, what opens them, and how exactly they must be met.
+// The switches among the parts: what closes and opens them, and how precisely an object must be placed.
 #include "tests/levels/devices/device_bench.hpp"
 
 namespace trembler {

@@ -22,7 +22,7 @@ std::string callersBetween(World const& world, std::string const& a, std::string
     return connectionBetween(world.store(), world.store().find(a), world.store().find(b)).names();
 }
 
-// Of each period the spark takes its part, to the frame: for as long is the lamp lit.
+// The spark lasts for its share of every period, to the frame; the lamp is lit for the same time.
 TEST(TeslaCoilMod, SparksForItsPartOfEveryPeriod) {
     auto const game = gameWith({"tesla-coil"});
     auto const world =

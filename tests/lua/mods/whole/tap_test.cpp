@@ -27,7 +27,7 @@ int dropsIn(World const& world, int ofFirst) {
 
 class TapRate : public testing::TestWithParam<double> {};
 
-// What is called for in a frame is there in the next one.
+// An object that is requested in a frame exists in the next one.
 TEST_P(TapRate, AfterATimeThereAreThatManyDrops) {
     double const rate = GetParam();
     auto const game = gameWith({"tap"});
