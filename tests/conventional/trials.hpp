@@ -25,7 +25,7 @@ struct SceneResult {
 [[nodiscard]] Trial runTrial(Scene const& scene, Stage const& stage, std::uint64_t number);
 /// The scene as it is described.
 [[nodiscard]] Trial runDescribed(Scene const& scene, Stage const& stage);
-/// The first so many perturbations of a scene.
+/// Runs the first perturbations of a scene, as many as stated.
 [[nodiscard]] SceneResult runTrials(Scene const& scene, Stage const& stage, std::uint64_t count);
 
 /// A share, and its confidence interval of 95 %, by Wilson's formula.

@@ -1,4 +1,4 @@
-// Common to the drawing tests: one offscreen window for the whole program, and folders for the pictures.
+// Shared by the drawing tests: one offscreen window for the whole program, and folders for the pictures.
 #pragma once
 
 #include "render/draw/canvas.hpp"
@@ -49,7 +49,7 @@ inline std::filesystem::path pictureFolder() {
     return folder;
 }
 
-/// For people to look at, below pictureFolder(), if TREMBLER_PICTURES is in the environment: packing a
+/// Writes a picture for people below pictureFolder(), if TREMBLER_PICTURES is in the environment: packing a
 /// picture takes longer than drawing it.
 inline void keepForPeople(Image const& image, std::string const& name) {
     if (std::getenv("TREMBLER_PICTURES") != nullptr) {

@@ -175,8 +175,7 @@ std::vector<std::vector<Point>> fieldLines(std::span<FieldPole const> poles, Ext
             });
             if (!taken) {
                 Trace trace = tracer.follow(p, angle, -1);
-                if (trace.endsAt ==
-                    none) { // a line that reaches a north pole is already one of that pole's lines
+                if (trace.endsAt == none) { // a line to a north pole is one of that pole's already
                     std::reverse(trace.points.begin(), trace.points.end());
                     lines.push_back(std::move(trace.points));
                 }

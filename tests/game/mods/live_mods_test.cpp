@@ -206,7 +206,7 @@ TEST_F(WithLiveMods, StateIsKeptWhereTheDeclarationsAgree) {
     open();
     steps(3);
     EXPECT_EQ(liveMods->scripts().front().log.back(), "3 6");
-    // 'all' is a text now and begins again; 'turns' goes on; 'fresh' is new.
+    // 'all' is a text now and begins again; 'turns' continues; 'fresh' is new.
     save(pushing(
         "store.object.turns = store.object.turns + 1\n"
         "store.object.fresh = store.object.fresh + 1\n"

@@ -1,4 +1,4 @@
-// The switches among the parts: what closes and opens them, and how precisely an object must be placed.
+// The switches among the parts: the objects that close and open them, and how precisely they must be placed.
 #include "tests/levels/devices/device_bench.hpp"
 
 namespace trembler {

@@ -81,8 +81,7 @@ TEST_F(SolveCommand, ReplacesNoFileWithWhatItKeeps) {
     std::string const level = at("kept/a.json");
     std::filesystem::copy_file(good, level);
     write(at("kept/a-found-1.png"), "mine");
-    std::string const report =
-        at("kept/a-found-1-2.json"); // written at the end, but its name is reserved before
+    std::string const report = at("kept/a-found-1-2.json"); // written at the end, but reserved before
     Ran const ran = runProgram(
         {"solve", level, "--runs", "80", "--frames", "600", "--keep", at("kept"), "--json", report});
     ASSERT_EQ(ran.status, 0) << ran.err;

@@ -8,31 +8,31 @@ class Arguments : public InAFolder {};
 
 TEST_F(Arguments, AreDecimalNumbersInTheirRanges) {
     std::string const input = level();
-    for (auto const& [option, value] : std::vector<std::pair<std::string, std::string>>{
-             {"--frames", "010"},
-             {"--frames", "0x10"},
-             {"--frames", "0"},
-             {"--frames", "-1"},
-             {"--frames", "10000001"}, // more frames than a recording can have
-             {"--frames", "18446744073709551617"},
-             {"--frames", "1e2"},
-             {"--frames", " 7"},
-             {"--frames", "+7"},
-             {"--frames", ""},
-             {"--hash-every", "-1"},
-             {"--hash-every", "0"},
-             {"--threads", "02"},
-             {"--threads", "257"},
-             {"--substeps", "65"},
-             {"--substeps", "1.5"},
-             {"--period", "Dynamics Resolver=010"},
-             {"--period", "Dynamics Resolver=0"},
-             {"--period", "Dynamics Resolver=3601"},
-             {"--budget", "nan"},
-             {"--budget", "inf"},
-             {"--budget", "0"},
-             {"--budget", "1e4"},
-             {"--budget", "2ms"}}) {
+    for (auto const& [option, value] :
+         std::vector<std::pair<std::string, std::string>>{{"--frames", "010"},
+                                                          {"--frames", "0x10"},
+                                                          {"--frames", "0"},
+                                                          {"--frames", "-1"},
+                                                          {"--frames", "10000001"}, // too many frames
+                                                          {"--frames", "18446744073709551617"},
+                                                          {"--frames", "1e2"},
+                                                          {"--frames", " 7"},
+                                                          {"--frames", "+7"},
+                                                          {"--frames", ""},
+                                                          {"--hash-every", "-1"},
+                                                          {"--hash-every", "0"},
+                                                          {"--threads", "02"},
+                                                          {"--threads", "257"},
+                                                          {"--substeps", "65"},
+                                                          {"--substeps", "1.5"},
+                                                          {"--period", "Dynamics Resolver=010"},
+                                                          {"--period", "Dynamics Resolver=0"},
+                                                          {"--period", "Dynamics Resolver=3601"},
+                                                          {"--budget", "nan"},
+                                                          {"--budget", "inf"},
+                                                          {"--budget", "0"},
+                                                          {"--budget", "1e4"},
+                                                          {"--budget", "2ms"}}) {
         Ran const ran = runProgram({"run", input, option, value});
         EXPECT_EQ(ran.status, 2) << option << " " << value;
         EXPECT_NE(ran.err.find(option), std::string::npos) << ran.err;

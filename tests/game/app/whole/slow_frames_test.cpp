@@ -8,7 +8,7 @@ namespace {
 
 class SlowFrames : public InAFolder {
 protected:
-    /// A level of so many boxes in one place, or side by side.
+    /// A level of that many boxes in one place, or side by side.
     [[nodiscard]] std::string boxes(int count, double apart) const {
         write(at("boxes.json"), levelOfBoxes(count, apart));
         return at("boxes.json");

@@ -183,7 +183,7 @@ TEST(GamepadAlone, MenusAreUsedAndALevelIsOpened) {
     pad.press(player, SDL_CONTROLLER_BUTTON_B);
     EXPECT_FALSE(player.app().menu().isOpen());
     for (int i = 0; i < 3; ++i) {
-        pad.push(player, SDL_CONTROLLER_AXIS_LEFTY, 30000); // the stick does what the pad does
+        pad.push(player, SDL_CONTROLLER_AXIS_LEFTY, 30000); // the stick acts like the directional pad
     }
     EXPECT_FALSE(player.app().menu().isOpen());
     for (int i = 0; i < 3; ++i) {

@@ -31,7 +31,7 @@ LevelFile basin(double density, std::string const& more = "", std::string const&
     return readLevel(gameData().registry, JsonDocument::parse(text, "basin.json"));
 }
 
-/// The explained miss of the first frame, or of a later one.
+/// The explained miss of a run of that many frames.
 Miss missIn(LevelFile const& level, std::uint64_t frames = 1) {
     return explainedMiss(level, frames);
 }
@@ -106,8 +106,7 @@ TEST(Lift, BearsWhatLiesOnItAndIsTurnedByIt) {
     ASSERT_EQ(miss.lack, Lack::distance);
     double const weight = 700 * 2 * 0.2 * worldDepth * gravity;
     double const lifted = 1000 * 2 * 0.2 * worldDepth * gravity;
-    double const load =
-        2 * (3000 - 1000) * 0.2 * 0.2 * worldDepth * gravity; // the stones displace water, too
+    double const load = 2 * (3000 - 1000) * 0.2 * 0.2 * worldDepth * gravity; // stones displace water
     Miss const* const lift = lackIn(miss, Lack::lift);
     ASSERT_NE(lift, nullptr);
     EXPECT_NEAR(lift->by, weight + load - lifted, 1);

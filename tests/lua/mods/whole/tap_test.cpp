@@ -16,7 +16,7 @@ std::string tapOf(double rate, int most) {
         rate, most);
 }
 
-/// Which of the tap's first drops are there.
+/// How many of the tap's first drops exist.
 int dropsIn(World const& world, int ofFirst) {
     int there = 0;
     for (int number = 1; number <= ofFirst; ++number) {

@@ -203,7 +203,7 @@ TEST_F(WhatIfChanges, APlacedPartIsMovedAndRemoved) {
 TEST_F(WhatIfChanges, TheWindowGoesOnWhileItIsComputed) {
     std::uint64_t const frames = 40 * PicturePace::mostFrames;
     run(60, "wooden bar"); // which solves nothing
-    player.key(SDLK_p);    // goes on
+    player.key(SDLK_p);    // continues
     player.simulate(static_cast<int>(frames));
     player.key(SDLK_p);
     player.play().timeline().seek(20);
