@@ -26,7 +26,7 @@ constexpr double mostAtRest = 0.05;
 
 bool noneActivated(Registry const& all, Registry const& dynamicsAlone, bench::SceneOf const& scene,
                    int repetitions) {
-    std::array<Series, 3> times; // bare, dynamics alone, all
+    std::array<Series, 3> times; // bare Box2D, dynamics alone, all effects
     Series overhead;
     Series rest;
     bool same = true;

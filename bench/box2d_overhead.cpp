@@ -22,8 +22,8 @@ using bench::Trembler;
 constexpr int blockFrames = 10;
 constexpr int warmUpFrames = 60;
 
-// A component that reads touches: contacts are then evaluated again at the end of a frame in which bodies
-// moved far, see box2d_frame_end.cpp.
+// A component that reads touches: because of it, contacts are evaluated again at the end of a frame in which
+// bodies moved far, see box2d_frame_end.cpp.
 struct ReadsTouches final : Interaction<ReadsTouches, DynamicsRole, Reads<Contacts>> {
     static constexpr ComponentText text{
         .name = "Dynamics <- Touches", .effect = "bench", .level = "", .work = "Reads touches."};

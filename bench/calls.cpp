@@ -165,7 +165,7 @@ void measure(int threads, bench::Table& table, std::string const& name) {
     bench::Series draining;
     double first = 0;
     for (int frame = 0; frame < frames; ++frame) {
-        weights.touch(); // all interactions are applied again
+        weights.touch(); // so that all interactions are applied again
         world.step();
         auto const called = static_cast<double>(Caller<does>::took.load());
         auto const looped = static_cast<double>(Caller<Does::nothing>::took.load());
@@ -202,7 +202,7 @@ void measure(int threads, bench::Table& table, std::string const& name) {
     }
 }
 
-// An interaction for each number, as interactions are distinguished by their types.
+// A type of interaction for each number, as interactions are distinguished by their types.
 constexpr int sleepers = 128;
 template <int number>
 constexpr std::array<char, 10> sleeperName{'S', 'l', 'e', 'e', 'p', ' ', 'a' + number / 26, 'a' + number % 26,
@@ -224,7 +224,8 @@ struct Sleeper final : Interaction<Sleeper<number, calls>, DynamicsRole, Reads<W
         }
     }
 };
-// Its force at a point has another torque in every frame, as the body moves: so Dynamics drains in every one.
+// Its force at a point has another torque in every frame, as the body moves, so Dynamics drains its calls in
+// every frame.
 struct Waker final : Interaction<Waker, DynamicsRole, Reads<Weight>> {
     static constexpr ComponentText text{
         .name = "Waker", .effect = "bench", .level = "", .work = "Holds a force at a point."};

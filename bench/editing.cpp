@@ -1,8 +1,8 @@
-// What the level editor costs while one drags: a step of moving one object, or all objects, of a level, with
-// the world that is drawn following it; and what comes once the mouse rests: the level read and its world
-// built, and a check for problems. In processor time, because the machine is shared.
+// The cost of the level editor during a drag: one step that moves one object, or all objects, of a level,
+// with the drawn world updated. Then the cost once the mouse rests: the level is read, its world is built,
+// and it is checked for problems. In processor time, because the machine is shared.
 //
-//     bench_editing [LEVEL...]      without levels: made ones of 10, 100 and 1000 objects
+//     bench_editing [LEVEL...]      without levels: generated levels of 10, 100 and 1000 objects
 #include "bench/measure.hpp"
 #include "puzzle/edit/commands/arrange.hpp"
 #include "puzzle/edit/commands/objects.hpp"

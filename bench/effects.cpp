@@ -71,7 +71,7 @@ public:
         settings_ = store.create("world");
         DynamicsSettings solver;
         solver.sleeping = false;
-        solver.substeps = 4; // in both worlds: left out, their number may follow from the effect
+        solver.substeps = 4; // in both worlds; otherwise their number may depend on the effect
         store.column<DynamicsSettings>().set(settings_, solver);
         int const columns = bouncing ? count : static_cast<int>(std::ceil(std::sqrt(count)));
         for (int i = 0; i < count; ++i) {

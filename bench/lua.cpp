@@ -1,7 +1,7 @@
-// What an interaction costs that reads three properties of each object and adds one force: in C++, in Lua
-// that is trusted and in Lua that is not. Prints ns per object and turn, what one that sleeps adds to a
-// frame, and what one that no object calls for adds to it. All of it in one process, in turns, so other work
-// on the machine meets all alike.
+// The cost of an interaction that reads three properties of each object and adds one force: in C++, in
+// trusted Lua and in untrusted Lua. Prints ns per object and turn, the time that a sleeping interaction adds
+// to a frame, and the time that one whose properties no object has adds to it. All worlds run in one process,
+// in turns, so that other work on the machine affects all of them equally.
 #include "bench/measure.hpp"
 #include "lua/attach/register.hpp"
 #include "physics/dynamics/calls.hpp"
@@ -68,7 +68,7 @@ std::string const numbers = "out.addForce(object, object.Mass.value * (10 - obje
                             "-object.Position.value.y)";
 std::string const vectors = "out.addForce(object, vec2(object.Mass.value * (10 - object.Velocity.value.x), "
                             "-object.Position.value.y))";
-// The host cannot hand this one over as two numbers: see spreadVectors().
+// The host cannot pass this vector as two numbers: see spreadVectors().
 std::string const madeFirst = "local force = vec2(object.Mass.value * (10 - object.Velocity.value.x), "
                               "-object.Position.value.y) out.addForce(object, force)";
 
@@ -123,8 +123,7 @@ std::unique_ptr<World> worldOf(Registry const& registry, int objects) {
     return world;
 }
 
-/// Processor time of the calling thread, s: what other programs take does not count. The worlds have one
-/// thread.
+/// Processor time of the calling thread, s: other programs' time does not count. The worlds have one thread.
 double processorTime() {
     timespec now{};
     clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
@@ -137,7 +136,7 @@ std::array<bench::Series, N> timesOf(std::array<Game, N>& games, int objects, in
     for (Game& game : games) {
         game.registerScripts();
         worlds.push_back(worldOf(game.registry, objects));
-        for (int i = 0; i < 10; ++i) { // code is compiled
+        for (int i = 0; i < 10; ++i) { // the code is compiled meanwhile
             worlds.back()->step();
         }
     }
@@ -186,7 +185,7 @@ void measureObjects(int objects, int frames, int rounds) {
     table.print();
 }
 
-// Many of the same, as one takes less than the clock's resolution.
+// Many of the same kind, as one takes less than the clock's resolution.
 constexpr int sleepers = 50;
 
 void measureSleepers() {
@@ -198,7 +197,7 @@ void measureSleepers() {
     for (std::string const& name : names) {
         natives.push_back({{.name = name, .effect = "bench", .level = "", .work = "Sleeps."}});
     }
-    // None, native, scripts, and such as no object calls for: native, scripts.
+    // None, native, scripts; then interactions whose properties no object has: native, scripts.
     std::array<Game, 5> games;
     for (SleeperKind const& kind : natives) {
         games[1].registry.component<NativeSleeper>(kind);

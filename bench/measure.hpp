@@ -1,4 +1,4 @@
-// Common to the benchmarks: timing, medians, and a table of results and limits.
+// Shared by the benchmarks: timing, medians, and a table of results and limits.
 #pragma once
 
 #include <algorithm>

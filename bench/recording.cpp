@@ -1,6 +1,6 @@
-// What it costs to record runs for the timeline: processor time per frame beside that of the frame itself,
-// and bytes per frame, of every level with its first solution. Then the busiest of them for ten minutes, in
-// the memory that the game allows. CPU time of this thread.
+// The cost of recording runs for the timeline: processor time per frame beside that of the frame itself, and
+// bytes per frame, for every level with its first solution. Then the busiest level for ten minutes, in the
+// memory that the game allows. CPU time of this thread.
 #include "insight/timeline/recording.hpp"
 
 #include "audio/effect/properties/sounds.hpp"
@@ -41,7 +41,7 @@ Cost record(GameData const& data, std::string const& path, std::uint64_t frames,
     if (!session.level().solutions.empty()) {
         session.load(session.level().solutions.front());
     }
-    Subscription const sounds = session.world().want<Sounds>(); // as the window has them
+    Subscription const sounds = session.world().want<Sounds>(); // as in the window
     Subscription const patches = session.world().want<ContactPatches>();
     recording.begin(session.world(), session.judge());
     double frame = 0;

@@ -1,6 +1,5 @@
-// What it costs to trace a run, of which `trembler why` is made: time of all frames of each level hands off,
-// with and without a trace. Without one, an event costs a test of a null pointer. Wall time, medians, one
-// thread.
+// The cost of tracing a run for `trembler why`: time of all frames of each level without input, with and
+// without a trace. Without one, an event costs a test of a null pointer. Wall time, medians, one thread.
 #include "bench/measure.hpp"
 #include "puzzle/data/game_data.hpp"
 #include "puzzle/session/session.hpp"

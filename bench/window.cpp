@@ -1,12 +1,12 @@
-// What the window costs the processor: for each level, those of the mods that come with the program included,
-// a frame of its simulation and a picture of it, with its first recorded solution; the start up to the title
-// screen; and a window at rest.
+// The processor time that the window takes: for each level, including those of the mods that come with the
+// program, a frame of its simulation and a picture of it, with its first recorded solution; the start up to
+// the title screen; and a window at rest.
 //
 //     bench_window [LEVEL...] [--runs N] [--rest SECONDS] [--markdown]
 //
 // All in processor time, because the machine is shared. Of a picture only the processor's side is measured:
-// OpenGL gets every command, and leaves the pixels out. Exit status 1 if a limit is exceeded. With --markdown
-// the page docs/measurements/window.md.
+// OpenGL receives every command, but draws no pixels. Exit status 1 if a limit is exceeded. With --markdown
+// prints the page docs/measurements/window.md.
 #include "audio/effect/properties/sounds.hpp"
 #include "bench/window/clocks.hpp"
 #include "game/ui/app/game_loop.hpp"
@@ -59,7 +59,7 @@ struct RestCost {
     std::uint64_t drawn = 0;
 };
 
-/// All that the game knows, with the mods that the level names.
+/// All the game's data, with the mods that the level names.
 std::shared_ptr<GameData const> dataFor(fs::path const& level) {
     Problems problems;
     auto mods = lua::findMods(lua::modsNamedBy(level), lua::modFolders({}, level, homeFolder()),
@@ -131,7 +131,7 @@ void draw(ui::GameApp& app, fs::path const& file, LevelCost& cost) {
     }
 }
 
-/// Leaves out what a graphics card would do: the corners of shapes, and all pixels.
+/// Leaves out the work of a graphics card: the corners of shapes, and all pixels.
 class WithoutCard {
 public:
     WithoutCard() {
@@ -170,8 +170,8 @@ std::vector<LevelCost> measureLevels(GameData const& data, Arguments const& argu
     return all;
 }
 
-/// All that happens before the first picture of the title is shown, but for the loudspeaker, which is opened
-/// by the sound system's own thread.
+/// Everything that happens before the first picture of the title is shown, except opening the loudspeaker,
+/// which the sound system's own thread does.
 int showTitle() {
     GameData const data;
     render::Window window({.size = {1280, 720}, .mode = render::WindowMode::Offscreen});
@@ -180,8 +180,8 @@ int showTitle() {
     std::_Exit(0);
 }
 
-/// s of processor time of a process that ends when the title has been shown, loading of the program included:
-/// the least of some runs.
+/// s of processor time of a process that ends when the title has been shown, including the loading of the
+/// program: the least of several runs.
 double timeToTitle(int runs) {
     std::string const self = fs::read_symlink("/proc/self/exe").string();
     double least = 1e300;
@@ -206,7 +206,7 @@ double timeToTitle(int runs) {
     return least;
 }
 
-/// What is done in a level before its window is left alone.
+/// The action in a level before its window is left alone.
 enum class Before : std::uint8_t { nothing, openMenu, setBudget };
 
 RestCost measureRest(std::string where, GameData const& data, double seconds, fs::path const& level,
@@ -221,7 +221,7 @@ RestCost measureRest(std::string where, GameData const& data, double seconds, fs
     } else if (before == Before::setBudget) {
         dynamic_cast<ui::PlayScreen&>(app.screen()).commands().run("budget");
     }
-    for (int i = 0; i < 1000 && !app.resting(); ++i) { // what moves at first ends
+    for (int i = 0; i < 1000 && !app.resting(); ++i) { // until initial motions have ended
         app.frame(0.1, false);
     }
     ui::GameLoop loop(app, window);

@@ -1,4 +1,5 @@
-# cmake -DEXPECTED=REGEX -P this -- COMPILER ARGUMENTS...: succeeds if the compiler fails and says REGEX.
+# cmake -DEXPECTED=REGEX -P this -- COMPILER ARGUMENTS...: succeeds if the compiler fails with a message that matches
+# REGEX.
 set(command)
 set(after_separator OFF)
 math(EXPR last "${CMAKE_ARGC} - 1")

@@ -27,8 +27,8 @@ if(TREMBLER_SANITIZE)
     -fsanitize=${TREMBLER_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all
     $<$<BOOL:${TREMBLER_SANITIZE_LINES}>:-g1>)
   if(TREMBLER_SANITIZE MATCHES "undefined" AND CMAKE_CXX_COMPILER_ID MATCHES "Clang")
-    # clang++ inserts these four at each access, which takes a quarter of its time. The address sanitizer stops at what
-    # "null" and "object-size" report, and x86-64 can read what is not aligned.
+    # clang++ inserts these four checks at each access, which takes a quarter of its time. The address sanitizer finds the
+    # faults that "null" and "object-size" report, and x86-64 can read unaligned data.
     target_compile_options(trembler_options INTERFACE -fno-sanitize=alignment,null,object-size,vptr)
   endif()
   target_link_options(trembler_options INTERFACE -fsanitize=${TREMBLER_SANITIZE})
@@ -72,8 +72,8 @@ function(trembler_unity target)
   endif()
 endfunction()
 
-# trembler_quick_with_sanitizers(TARGET): for code that takes little of the tests' time. clang++ optimises what the
-# sanitizers insert for two thirds of its time.
+# trembler_quick_with_sanitizers(TARGET): for code that takes little of the tests' time. clang++ spends two thirds of its
+# time on optimising the code that the sanitizers insert.
 function(trembler_quick_with_sanitizers target)
   if(TREMBLER_SANITIZE)
     target_compile_options(${target} PRIVATE -O0)

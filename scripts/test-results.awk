@@ -1,4 +1,4 @@
-# What the tests of a log of "ctest --verbose" came to: lines of "ok COUNT", "skip NAME", "fail NUMBER NAME", and
+# The results of the tests in a log of "ctest --verbose": lines of "ok COUNT", "skip NAME", "fail NUMBER NAME", and
 # "leakless NUMBER NAME" for groups of which only the leak sanitizer crashed, after all cases had passed. NUMBER is ctest's.
 # A case of a test program counts as a test, and so does any other test of ctest's. A program's group of cases is called
 # test_PROGRAM.GROUP.

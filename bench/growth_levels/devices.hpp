@@ -36,7 +36,7 @@ inline Json generators(int n) {
     return made;
 }
 
-/// Sound sensors, which hear a single box that lands.
+/// Sound sensors, which hear one box that lands.
 inline Json sensors(int n) {
     Json made = row(1, 0.5, 0.01);
     made["objects"].back()["properties"]["material"] = "steel";

@@ -1,4 +1,4 @@
-// The rows of bench_growth: a level for everything that a level can contain in any number.
+// The rows of bench_growth: a level for each thing that a level can contain in any number.
 #pragma once
 
 #include "bench/growth_levels/bodies.hpp"
@@ -25,7 +25,7 @@ struct GrowthRow {
     bool refused = false;
     /// The largest n to measure.
     std::size_t most = 1000000;
-    /// The bench fails above these exponents. docs/measurements/performance.md explains the rows that are
+    /// The bench fails above these exponents. docs/measurements/performance.md explains those that are
     /// greater than usual.
     double mostOfLoad = 1.25;
     double mostOfFrame = 1.25;
@@ -45,7 +45,7 @@ inline std::vector<GrowthRow> growthRows() {
         {"landing", "boxes that land in one frame", [](int n) { return row(n, 0.5, 0.01); }},
         {"stacks", "boxes in stacks of ten", stacks},
         {"crowd", "boxes in one place", crowd, false, 1000000, 2.2, 2.2},   // n²/2 pairs
-        {"chain", "hinges of a chain", hinges, false, 1000000, 1.25, 1.75}, // and more substeps
+        {"chain", "hinges of a chain", hinges, false, 1000000, 1.25, 1.75}, // more bodies and more substeps
         {"chain-4", "the same in four substeps",
          [](int n) {
              Json made = hinges(n);

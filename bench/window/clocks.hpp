@@ -1,4 +1,4 @@
-// Processor time, which other programs on the machine influence little, and shares of lists of times.
+// Processor time, which other programs on the machine influence little, and quantiles of times.
 #pragma once
 
 #include <algorithm>
@@ -22,8 +22,8 @@ double threadMilliseconds(F&& f) {
     return 1000 * (secondsOf(CLOCK_THREAD_CPUTIME_ID) - begin);
 }
 
-/// Median of the frames, and what the worst 1 % of them take at least, ms. Each frame's own time is its least
-/// in several runs, as runs repeat to the bit and whatever else the machine does only adds to it.
+/// The median of the frames, and the least time of the slowest 1 % of them, ms. Each frame's own time is its
+/// least in several runs: runs repeat to the bit, and other work on the machine can only add to it.
 class FrameTimes {
 public:
     void add(std::size_t frame, double milliseconds) {

@@ -3,14 +3,13 @@
 
 extern "C" {
 
-// Mesa's software driver leaves a leak that no suppression can name once the driver is unloaded: keep it
+// Mesa's software driver leaves a leak that no suppression can name once the driver is unloaded: it stays
 // loaded.
 int dlclose(void* /*library*/) {
     return 0;
 }
 
-// Of the calls that led to an allocation the last twelve are kept for reports: thirty, the default, take
-// longer.
+// Reports show the last twelve calls that led to an allocation: thirty, the default, take longer.
 char const* __asan_default_options() {
     return "detect_stack_use_after_return=1:strict_string_checks=1:malloc_context_size=12";
 }

@@ -37,7 +37,7 @@ public:
 
 private:
     std::shared_ptr<LiveScript> live_;
-    Store* store_ = nullptr; // of the world that it belongs to
+    Store* store_ = nullptr; // of the component's world
 };
 
 LiveScript::LiveScript(std::shared_ptr<Script const> script, std::shared_ptr<ScriptLog> log)

@@ -20,10 +20,10 @@ namespace trembler::lua {
 /// have a component of it, and from one thread at a time.
 class LiveScript : public std::enable_shared_from_this<LiveScript> {
 public:
-    /// `script` has an info, see declare().
+    /// `script` must have an info, see declare().
     LiveScript(std::shared_ptr<Script const> script, std::shared_ptr<ScriptLog> log);
 
-    /// The version that counts. Valid until the next change.
+    /// The present version. The reference is valid until the next change.
     [[nodiscard]] Script const& script() const { return *script_; }
     [[nodiscard]] std::shared_ptr<Script const> shared() const { return script_; }
     [[nodiscard]] std::string const& name() const { return name_; }
@@ -34,17 +34,17 @@ public:
     /// A component for a new world.
     [[nodiscard]] std::unique_ptr<Component> make();
 
-    /// Another version, of the same name and resolver, for worlds that are made from now on. Components that
-    /// exist go on with the one that they have.
+    /// Sets another version, of the same name and resolver, for worlds that are made from now on. Existing
+    /// components keep theirs.
     void publish(std::shared_ptr<Script const> script);
-    /// Makes the version that counts that of all components that exist, see ScriptedInteraction::replace().
-    /// False if there is none.
+    /// Makes all existing components use the present version, see ScriptedInteraction::replace(). False if
+    /// there are no components.
     bool swapIn();
-    /// Switches it off, or on again, in all worlds that exist and that are made from now on.
+    /// Switches the script off, or on again, in all worlds that exist and that are made from now on.
     void setOn(bool on);
     [[nodiscard]] bool on() const { return on_; }
 
-    /// Of the component that was made last, if it exists and has had a turn that did not fail.
+    /// The usage of the component that was made last, if it exists and has had a turn that did not fail.
     [[nodiscard]] std::optional<TurnUsage> usage() const;
     /// Whether the component that was made last exists and was switched off because it failed.
     [[nodiscard]] bool failed() const;
@@ -76,11 +76,11 @@ public:
     [[nodiscard]] LiveScript* find(std::string_view name) const;
     [[nodiscard]] Vocabulary const& vocabulary() const { return vocabulary_; }
 
-    /// Reads a text as another version of a script. Adds its errors to `problems`, with file and line;
-    /// another name or resolver is one, as these cannot change in a registry. nullptr if anything is.
+    /// Reads a text as another version of a script; nullptr if it has errors. Adds these to `problems`, with
+    /// file and line. Another name or resolver is an error, as these cannot change in a registry.
     [[nodiscard]] std::shared_ptr<Script const> read(LiveScript const& script, std::string text,
                                                      Problems& problems) const;
-    /// A version with other defaults of its parameters. Parameters that it has not, or that are of another
+    /// A version with other defaults of its parameters. Defaults of unknown parameters, and those of another
     /// kind or out of range, are left out.
     [[nodiscard]] std::shared_ptr<Script const> with(Script const& script,
                                                      std::map<std::string, Value> const& defaults) const;

@@ -1,4 +1,4 @@
-// Values of a script's parameters: the allowed ones, and those that objects state.
+// Values of a script's parameters: the allowed values, and the values that objects state.
 #pragma once
 
 #include "lua/attach/scripts_property.hpp"
@@ -17,8 +17,7 @@ namespace trembler::lua {
 [[nodiscard]] Value valueOf(ScriptSetting const& setting, Parameter const& parameter);
 /// The setting that states a value.
 [[nodiscard]] ScriptSetting settingOf(std::string const& parameter, Value const& value);
-/// The value that counts for an object: the one that it states or else the script's default. `use` may be
-/// nullptr.
+/// The value for an object: the one that it states, else the script's default. `use` may be nullptr.
 [[nodiscard]] Value valueFor(ScriptUse const* use, Parameter const& parameter);
 
 } // namespace trembler::lua

@@ -14,9 +14,10 @@ namespace trembler::lua {
 /// Registers the property Scripts of a program without mods: levels that state it get a message.
 void registerScripts(Registry& registry);
 
-/// Registers the interactions of the mods after all that is registered already, and the property Scripts.
-/// Adds to `problems` all names in their scripts that the registry does not have. Returns the scripts, which
-/// can be changed while worlds run; without mods there are none, and no component is registered.
+/// Registers the interactions of the mods after everything that is registered already, and the property
+/// Scripts. Adds to `problems` all names in their scripts that the registry does not have. Returns the
+/// scripts, which can be changed while worlds run; without mods there are none, and no component is
+/// registered.
 std::shared_ptr<LiveScripts const> registerMods(Registry& registry, std::span<Mod const> mods,
                                                 std::shared_ptr<ScriptLog> const& log, Problems& problems);
 

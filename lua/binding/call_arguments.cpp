@@ -13,7 +13,7 @@
 namespace trembler::lua {
 namespace {
 
-constexpr double largestWhole = 9007199254740992.0; // 2^53: all whole numbers up to it are doubles
+constexpr double largestWhole = 9007199254740992.0; // 2^53: all whole numbers up to it are exact as doubles
 
 class ArgumentReader {
 public:
@@ -21,8 +21,8 @@ public:
                    ObjectAt const& objectAt, CallBytes& into)
         : L_(L), sandbox_(sandbox), store_(store), call_(call), objectAt_(objectAt), into_(into) {}
 
-    /// Reads an argument at an index; returns how many values on the stack it has taken. `inOrder`: there may
-    /// be another one behind it.
+    /// Reads an argument at an index; returns how many values on the stack it has taken. `inOrder`: another
+    /// argument may follow it.
     int read(FieldPlace const& place, int index, bool inOrder) {
         if (place.kind == FieldKind::vector && inOrder && lua_type(L_, index) == LUA_TNUMBER &&
             lua_type(L_, index + 1) == LUA_TNUMBER) {
@@ -33,7 +33,7 @@ public:
         return 1;
     }
 
-    /// Two values for which the script has written vec2().
+    /// Reads the two values that the script has given to vec2().
     int readNumbers(FieldPlace const& place, int index) {
         if (lua_type(L_, index) != LUA_TNUMBER || lua_type(L_, index + 1) != LUA_TNUMBER) {
             refuse(place, fmt::format("is vec2 of {} and {}", kindAt(index), kindAt(index + 1)),
@@ -208,7 +208,7 @@ void readArguments(lua_State* L, Sandbox& sandbox, Store const& store, CallDescr
                        call.arguments.size() > 1 && !objectAt(L, 1) && kindOf(L, 1) == "table";
     if (named) {
         std::vector<std::string> const keys = stringKeys(L, 1);
-        constexpr double chargePerKey = 50; // a table may have very many
+        constexpr double chargePerKey = 50; // a table may have very many keys
         sandbox.charge(L, chargePerKey * static_cast<double>(keys.size()));
         for (std::string const& key : keys) {
             std::vector<std::string> known;

@@ -15,7 +15,7 @@ namespace trembler::lua {
 
 /// A value of a call's C++ type, as bytes.
 struct alignas(16) CallBytes {
-    std::array<char, CallDescription::mostBytes> bytes; // not initialised: readArguments() does
+    std::array<char, CallDescription::mostBytes> bytes; // not initialised: readArguments() fills them
 };
 
 /// The object that a Lua value stands for; nothing if it stands for none.
@@ -31,8 +31,8 @@ enum class ArgumentForm {
     numbers,
 };
 
-/// Reads the arguments of a call from the stack, all of it. Nils at the end are ignored. Raises a Lua error,
-/// in words, if one is missing, has another type, is not finite or out of range, or is an object that no
+/// Reads the whole stack as the arguments of a call. Nils at the end are ignored. Raises a Lua error, in
+/// words, if an argument is missing, has another type, is not finite or out of range, or is an object that no
 /// longer exists.
 void readArguments(lua_State* L, Sandbox& sandbox, Store const& store, CallDescription const& call,
                    ObjectAt const& objectAt, CallBytes& into, ArgumentForm form = ArgumentForm::stated);

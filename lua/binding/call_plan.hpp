@@ -1,5 +1,5 @@
-// Calls whose arguments are all plain data: read without a look at their description, and gathered until the
-// end of a turn.
+// Calls whose arguments are all plain data: read without their description, and gathered until the end of a
+// turn.
 #pragma once
 
 #include "runtime/component/role_info.hpp"
@@ -25,7 +25,7 @@ struct PlainArgument {
 };
 
 struct CallPlan {
-    bool plain = false;   ///< it has only such arguments
+    bool plain = false;   ///< all its arguments are PlainArguments
     bool creates = false; ///< it creates objects
     std::vector<PlainArgument> arguments;
 
@@ -50,10 +50,10 @@ static_assert(sizeof(PendingCalls) == 16);
 class CallGatherer {
 public:
     explicit CallGatherer(RoleInfo const& role);
-    /// The place of a call, with the bytes of its initial values. It counts when it is added.
+    /// The place of the next call, filled with its initial values. The call counts once it is added.
     [[nodiscard]] char* place(std::size_t call);
     void add(std::size_t call) { ++pending_[call].used; }
-    /// Records them all, kind by kind.
+    /// Records all pending calls, kind by kind.
     void record(OpenSource& source);
     void drop();
     /// Leaves no room, so that compiled code adds no call by itself but asks the host for each.

@@ -31,8 +31,8 @@ struct Script {
     std::vector<std::size_t> first;  ///< places in reads: properties of an object, or of the first of a pair
     std::vector<std::size_t> second; ///< properties of the second of a pair
     RoleInfo const* role = nullptr;
-    std::set<std::string, std::less<>> words; ///< in its text
-    std::unique_ptr<ComponentInfo> info;      ///< its texts are those in here
+    std::set<std::string, std::less<>> words; ///< all words in its text
+    std::unique_ptr<ComponentInfo> info;      ///< refers to texts in this Script
 
     [[nodiscard]] DeclaredProperty const* read(std::string_view name) const;
     [[nodiscard]] std::vector<std::string> readNames() const;

@@ -94,7 +94,7 @@ void pushField(lua_State* L, Sandbox& sandbox, FieldPlace const& place, void con
         object(L, at<ObjectId>(value, place));
         return;
     case FieldKind::choice: {
-        int index = 0; // little-endian
+        int index = 0; // its first bytes are the lowest: little-endian
         std::memcpy(&index, static_cast<char const*>(value) + place.offset,
                     std::min(place.size, sizeof index));
         pushName(L, place.choices, index);

@@ -17,20 +17,20 @@ namespace trembler::lua {
 /// Pushes a handle of an object, or nil for an invalid id.
 using PushObject = std::function<void(lua_State*, ObjectId)>;
 
-/// Pushes a field of the value that begins at `value`, but for lists and fields that are computed: those need
-/// a visit.
+/// Pushes a field of the value that begins at `value`, except lists and computed fields: those need a
+/// FieldPusher.
 void pushField(lua_State* L, Sandbox& sandbox, FieldPlace const& place, void const* value,
                PushObject const& object);
 /// Whether pushField() can push it.
 [[nodiscard]] bool isPlain(FieldPlace const& place);
 
-/// Pushes the field of one key of what it visits; nil if there is none. A list becomes a table of its
+/// Pushes the field with one key of the visited value; nil if there is none. A list becomes a table of its
 /// elements, each a value or a table of fields.
 class FieldPusher final : public FieldVisitor {
 public:
     FieldPusher(lua_State* L, Sandbox& sandbox, std::string_view key, PushObject const& object)
         : L_(L), sandbox_(sandbox), key_(key), object_(object) {}
-    /// Whether it has pushed anything.
+    /// Whether it has pushed a field.
     [[nodiscard]] bool found() const { return found_; }
 
     void boolean(FieldInfo const& info, bool& value) override;

@@ -11,16 +11,16 @@
 
 namespace trembler::lua {
 
-/// A property has two names in scripts, that of the thesis's notation, "Magnet on/off", and its key in files,
-/// "magnet". A resolver has that of its role.
+/// A property has two names in scripts: its name in the thesis's notation, "Magnet on/off", and its key in
+/// files, "magnet". A resolver has the name of its role.
 class Vocabulary {
 public:
     explicit Vocabulary(Registry const& registry);
 
     [[nodiscard]] PropertyInfo const* property(std::string_view name) const;
-    /// Of every property, ascending.
+    /// The names of all properties, ascending.
     [[nodiscard]] std::vector<std::string> propertyNames() const;
-    /// Only of roles with functions that interactions may call.
+    /// Finds only roles with functions that interactions may call.
     [[nodiscard]] RoleInfo const* role(std::string_view name) const;
     [[nodiscard]] std::vector<std::string> roleNames() const;
 

@@ -16,7 +16,7 @@ std::string quotedName(std::string_view name) {
 std::string driverCallText(std::size_t number, CallDescription const& call, CallPlan const& plan) {
     std::string parameters;
     std::string stated;    // moves the arguments with vectors as two numbers to v1, v2, ...
-    std::string asVectors; // and those with vectors
+    std::string asVectors; // moves the arguments with vectors as tables
     std::string test;
     std::string write;
     bool hasVector = false;
@@ -68,7 +68,7 @@ std::string driverCallText(std::size_t number, CallDescription const& call, Call
     for (std::size_t i = 1; i <= values + 1; ++i) {
         parameters += fmt::format("{}a{}", i == 1 ? "" : ",", i);
     }
-    // After as many arguments as it takes there must be none: the one behind the last is nil.
+    // No argument may follow the last one that the call takes: its place must hold nil.
     std::string const afterVectors =
         fmt::format(" if a{}~=nil then return slow({}) end", position + 1, parameters);
     std::string text = fmt::format("do local slow=slow[{0}] local b=calls[{0}]\nfunctions[{1}]=function({2})"

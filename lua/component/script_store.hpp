@@ -25,14 +25,14 @@ public:
     /// Sets a field; returns the fault of the value, in words, or nothing.
     [[nodiscard]] std::string setOfObject(ObjectId id, std::size_t field, Value value);
     [[nodiscard]] std::string setOfScript(std::size_t field, Value value);
-    /// Takes over, from the store of another version of the script, all that both declare: the fields that
-    /// have the same name and the same kind of value, and the place in the sequence of random(). The others
-    /// have their initial values.
+    /// Takes over, from the store of another version of the script, the fields that both declare with the
+    /// same name and kind of value, and the place in the sequence of random(). All other fields have their
+    /// initial values.
     void adopt(ScriptStore const& before);
     /// Forgets the objects that no longer exist.
     void keepOnly(std::function<bool(ObjectId)> const& alive);
 
-    /// The next of a sequence that depends on the script's name and on how many it had before: in [0, 1).
+    /// The next number of a sequence, in [0, 1). It depends on the script's name and on how many came before.
     [[nodiscard]] double random();
 
     void hash(StateHash& hash) const;

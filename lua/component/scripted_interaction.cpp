@@ -40,7 +40,7 @@ ScriptedInteraction::~ScriptedInteraction() = default;
 void ScriptedInteraction::bind(Store& store, Channels& channels) {
     store_ = &store;
     bindReads(store);
-    targetsOf_.clear(); // the columns may be others
+    targetsOf_.clear(); // the new store has other columns
     source_->attach(channels, caller());
     sleep();
 }
@@ -60,7 +60,7 @@ void ScriptedInteraction::bindReads(Store& store) {
     }
 }
 
-/// Lets the world pass it by for as long as hasWork() is false. To be called after every change of data on
+/// Lets the world skip the component while hasWork() is false. To be called after every change of data on
 /// which hasWork() depends.
 void ScriptedInteraction::sleep() {
     if (off_ || resting_) {
@@ -167,10 +167,10 @@ void ScriptedInteraction::hashState(StateHash& hash) const {
     kept_.hash(hash);
 }
 
-// ---- To whom it is applied, always in the order of objects.
+// ---- The targets, always in the order of objects.
 
-/// Whether the targets of the last turn are those of this one: no object has come to one of the columns by
-/// which they are found or left it, and where objects state their own parameters, none has stated others.
+/// Whether this turn has the targets of the last one: no object was added to or removed from the columns by
+/// which targets are found, and no object has changed the parameters that it states.
 bool ScriptedInteraction::targetsStand() {
     if (script_->manifest.application != Application::each) {
         return script_->manifest.application == Application::once && !targets_.empty();
@@ -284,7 +284,7 @@ double ScriptedInteraction::reachOf(ScriptUse const* use) const {
     return std::get<double>(manifest.parameter(manifest.withinParameter)->initial);
 }
 
-// By sorting along x: O(n log n) and the pairs that are near in x.
+// Sorts along x: O(n log n), plus the number of pairs that are near in x.
 void ScriptedInteraction::findNear() {
     struct Place {
         double x;

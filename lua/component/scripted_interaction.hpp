@@ -19,7 +19,7 @@ namespace trembler::lua {
 
 /// Like any other interaction it is applied when a property that it reads has changed, and its held calls
 /// stay in effect until then. A script that fails is switched off: its calls are taken back, and it is not
-/// applied again in this world. That is part of the world's state, as all of it follows from the state:
+/// applied again in this world. A failure is part of the world's state and follows from it alone, as
 /// instructions and bytes are counted, not time.
 class ScriptedInteraction : public Component {
 public:
@@ -34,18 +34,18 @@ public:
 
     // For scripts that are changed while a world runs, between frames (scripted_interaction_changes.cpp):
 
-    /// With a description that outlives it and that others may have changed since `script` was declared.
+    /// `info` must outlive it, and may have changed since `script` was declared.
     ScriptedInteraction(ComponentInfo const& info, std::shared_ptr<Script const> script,
                         std::shared_ptr<ScriptLog> log);
-    /// Goes on with another version, which calls the same resolver. `store` is that of bind(). The fields of
-    /// its store that both versions declare with the same kind keep their values. The held calls of the old
-    /// version stay in effect until the first turn of the new one, which is in the next frame.
+    /// Continues with another version, which calls the same resolver. `store` is the one given to bind(). The
+    /// fields of its store that both versions declare with the same kind keep their values. The held calls of
+    /// the old version stay in effect until the first turn of the new one, which is in the next frame.
     void replace(Store& store, std::shared_ptr<Script const> script);
-    /// Takes back its calls and lets it rest, or lets it continue.
+    /// Off: takes back its calls and applies it no more. On: applies it again.
     void setOn(bool on);
     /// Whether it was switched off because it failed.
     [[nodiscard]] bool failed() const { return off_; }
-    /// Of the frame of its last turn; nothing before the first one, and after it has failed.
+    /// The usage in the frame of its last turn; nothing before the first turn and after a failure.
     [[nodiscard]] std::optional<TurnUsage> usage() const;
 
 private:
@@ -72,7 +72,7 @@ private:
     bool first_ = true;
     bool off_ = false;
     bool resting_ = false; // see setOn()
-    // Of the last turn of turns_. Limits hold for a frame, so between frames it is of no use, and no state.
+    // The frame of the last turn of turns_. It is no state: limits hold within a frame.
     std::optional<std::uint64_t> frame_;
     std::shared_ptr<Script const> script_;
     std::shared_ptr<ScriptLog> log_;

@@ -59,7 +59,7 @@ std::string Turns::Binding::driverText() const {
             text += driverCallText(i, script_->role->calls[i], plans_[i]);
         }
     }
-    std::string before; // the loop
+    std::string before; // text before the loop
     std::string inside;
     std::size_t pointer = 2;
     std::size_t shownNumber = 0;
@@ -163,7 +163,7 @@ void Turns::Binding::setUpDriver(lua_State* L) {
             lua_setfield(L, -2, name);
         }
     }
-    for (std::size_t const asNumbers : {0U, 1U}) { // the functions as C has them
+    for (std::size_t const asNumbers : {0U, 1U}) { // the functions in C
         lua_newtable(L);
         for (std::size_t i = 0; i < plans_.size(); ++i) {
             pushFunction<&Binding::makeCall>(L, i, asNumbers);
@@ -202,7 +202,7 @@ int Turns::Binding::fillHere(lua_State* L) {
     return 0;
 }
 
-/// The ids of the targets and their rows in each column, where they are not known from the last turn.
+/// Finds the ids of the targets and their rows in each column, unless they are known from the last turn.
 void Turns::Binding::findRows() {
     std::vector<Target> const& targets = *targets_;
     if (!context_->sameTargets || ids_[0].size() != targets.size()) {
@@ -231,7 +231,7 @@ void Turns::Binding::findRows() {
                 }
             }
             ++number;
-            // Those of another column with the same owners are in fast memory already.
+            // The rows of another column with the same owners are in fast memory already.
             if (same == nullptr) {
                 same = &shown;
             }

@@ -93,7 +93,7 @@ void Turns::Binding::applyTo(lua_State* L) {
     lua_pop(L, 1);
     use_ = nullptr;
     fillParameters(L, nullptr);
-    // A traced call is recorded at once, with its cause: compiled code does not.
+    // A traced call is recorded at once, with its cause, which compiled code cannot do.
     if (driver_ != 0 && context_->sink == nullptr) {
         drive(L, apply);
         return;
@@ -115,7 +115,7 @@ int Turns::Binding::pushApply(lua_State* L) {
     return lua_gettop(L);
 }
 
-/// Tables and keys lie on the stack, where they are found faster than in the registry.
+/// Pushes tables and keys: on the stack they are found faster than in the registry.
 void Turns::Binding::pushKeysAndTables(lua_State* L) {
     lua_pushliteral(L, "x");
     keyX_ = lua_gettop(L);
@@ -146,7 +146,7 @@ void Turns::Binding::applyToEach(lua_State* L, int apply) {
         }
     }
     count = std::min(count, sandbox_.source().parameters); // parameters that it does not read need not be set
-    if (driver_ != 0) {                                    // it has shown other objects since
+    if (driver_ != 0) {                                    // compiled code has shown other objects since
         gatherer_.close();                                 // its functions would gather calls
         for (Slot& slot : slots_) {
             findPresent(L, slot);

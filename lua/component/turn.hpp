@@ -20,7 +20,7 @@
 
 namespace trembler::lua {
 
-/// Where a declared property lives: one of the two.
+/// Where a declared property is stored: exactly one of the two is set.
 struct Home {
     ColumnBase const* column = nullptr;
     SlotBase const* slot = nullptr;
@@ -35,7 +35,7 @@ struct Target {
     ObjectId first;
     ObjectId second;
     ScriptUse const* use = nullptr; ///< the settings of `first`; nullptr: the script's defaults
-    EventId cause;                  ///< the event that brought it about
+    EventId cause;                  ///< the event that caused it
 };
 
 /// The data of one turn of a script.
@@ -73,7 +73,7 @@ public:
     /// Applies the script to every target, in order.
     [[nodiscard]] std::optional<ScriptError> run(TurnContext const& context,
                                                  std::vector<Target> const& targets);
-    /// Of the frame of the last turn; all zero before the first.
+    /// The usage in the frame of the last turn; all zero before the first turn.
     [[nodiscard]] TurnUsage usage() const;
 
 private:

@@ -16,9 +16,9 @@
 namespace trembler::lua {
 
 /// A script sees an object as tables into which the host writes the values of each object in turn, so reading
-/// costs no call of C. An undeclared name is an error, by a function for the keys that are not there. A
-/// script that assigns to no field of a table sees these tables themselves. Any other one sees empty,
-/// read-only tables whose metatables lead to them, so nothing that it does to the tables can last.
+/// costs no call of C. An undeclared name is an error, which a function for missing keys raises. A script
+/// that assigns to no field of a table sees these tables themselves. Any other script sees empty, read-only
+/// tables whose metatables lead to them, so it cannot change the tables.
 class Turns::Binding {
 public:
     explicit Binding(std::shared_ptr<Script const> script);
@@ -108,8 +108,8 @@ private:
     void drive(lua_State* L, int apply);
     int fillHere(lua_State* L);
 
-    // The functions that scripts call. None keeps an object with a destructor while it calls a function that
-    // may raise an error, but for strings and lists, which Lua's errors unwind like exceptions on the
+    // The functions that scripts call. None holds an object with a destructor while it calls a function that
+    // may raise an error, except strings and lists, which Lua's errors unwind like exceptions on the
     // platforms that it is built for.
 
     // Reading properties: turn_properties.cpp.
@@ -195,7 +195,7 @@ void Turns::Binding::pushFunction(lua_State* L, std::size_t a, std::size_t b) {
     lua_pushnumber(L, static_cast<double>(b));
     lua_pushcclosure(L, &call<member>, 3);
 }
-/// Gives the table on top of the stack a function for the keys that it has not.
+/// Gives the table on top of the stack a function for missing keys.
 template <int (Turns::Binding::*member)(lua_State*)>
 void Turns::Binding::setFallback(lua_State* L, std::size_t a, std::size_t b) {
     lua_newtable(L);

@@ -42,8 +42,8 @@ int Turns::Binding::makeCall(lua_State* L) {
     return 0;
 }
 
-/// Reads arguments in the usual form: all stated, in order and in range, and the objects those of the target.
-/// False if they are not; readArguments() then finds their faults, if there are any.
+/// Reads arguments in the usual form: all stated, in order and in range, and every object one of the
+/// target's. False if they are not; readArguments() then finds their faults, if there are any.
 bool Turns::Binding::readPlain(lua_State* L, CallPlan const& plan, char* into, ArgumentForm form) const {
     int index = 1;
     for (PlainArgument const& argument : plan.arguments) {

@@ -19,7 +19,7 @@ void Turns::Binding::pushHandle(lua_State* L, ObjectId id) {
 }
 
 std::optional<ObjectId> Turns::Binding::objectAt(lua_State* L, int index) const {
-    if (lua_type(L, index) == LUA_TUSERDATA) { // there are no others
+    if (lua_type(L, index) == LUA_TUSERDATA) { // handles are the only userdata
         ObjectId id;
         std::memcpy(&id, lua_touserdata(L, index), sizeof id);
         return id;

@@ -77,7 +77,7 @@ void Turns::Binding::pushFieldOf(lua_State* L, DeclaredProperty const& property,
     } else {
         home.column->visitCopy(id, pusher);
     }
-    if (!pusher.found()) { // one that depends on a choice that this object has not made
+    if (!pusher.found()) { // a field that depends on a choice that this object has not made
         lua_pushnil(L);
     }
 }

@@ -117,8 +117,8 @@ void Turns::Binding::setUpSlot(lua_State* L, std::size_t number, std::vector<std
     slot.fields = keep(L);
 }
 
-/// Fields that the script's text mentions; it reaches others by their fallback as well. A vector could be
-/// changed by a script that assigns to fields, so such a script gets a new one each time.
+/// Whether the field is written in advance: the script's text mentions it. Others are read by the fallback. A
+/// script that assigns to fields could change a vector, so it gets a new one each time.
 bool Turns::Binding::isEager(FieldPlace const& place) const {
     bool const cheap = place.kind == FieldKind::boolean || place.kind == FieldKind::integer ||
                        place.kind == FieldKind::number || (place.kind == FieldKind::vector && direct_);
@@ -138,7 +138,7 @@ Turns::Binding::Eager Turns::Binding::makeEager(lua_State* L, std::size_t shown,
         lua_pushvalue(L, -1);
         made.key = keep(L);
         lua_pushnumber(L, 0);
-        lua_rawset(L, -3); // it is there from the beginning: compiled code finds it in its place
+        lua_rawset(L, -3); // a key from the beginning, so that compiled code finds it in its place
     }
     return made;
 }

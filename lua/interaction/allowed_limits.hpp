@@ -1,4 +1,4 @@
-// The limits that scripts may state at most. Only the player can raise them.
+// The greatest limits that scripts may state. Only the player can raise them.
 #pragma once
 
 #include "lua/sandbox/limits.hpp"
@@ -7,7 +7,7 @@ namespace trembler::lua {
 
 /// ScriptLimits::greatest(), unless allowLimits() has said otherwise. Thread-safe.
 [[nodiscard]] ScriptLimits allowedLimits();
-/// For all manifests that are read from now on in this process. Thread-safe.
+/// Applies to all manifests that are read from now on in this process. Thread-safe.
 void allowLimits(ScriptLimits const& limits);
 
 } // namespace trembler::lua

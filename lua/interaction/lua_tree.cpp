@@ -22,7 +22,8 @@ constexpr char const* functionKey = "$function";
 } // namespace
 
 json treeOf(lua_State* L, int index, int depth) {
-    // A table that is in several others is looked through several times: counted, or it could take for ever.
+    // A table that is in several others is read several times, which could take for ever if it were not
+    // charged for.
     constexpr double chargePerValue = 5;
     Sandbox::of(L).charge(L, chargePerValue);
     switch (lua_type(L, index)) {

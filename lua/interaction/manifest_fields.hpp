@@ -21,8 +21,8 @@ public:
 
     /// A problem at the line in which `word` stands.
     void complain(std::string_view word, std::string message, std::string expected) const;
-    /// Complains of every key that is not known; `where` says in which table, " in 'store'". Nothing, if it
-    /// is no table.
+    /// Reports every unknown key; `where` names the table, as in " in 'store'". Does nothing if it is no
+    /// table.
     void onlyKeys(nlohmann::json const& table, std::string const& where,
                   std::vector<std::string> const& known) const;
     /// A text of 1 to `longest` bytes; empty if there is none.
@@ -30,7 +30,7 @@ public:
                                    std::size_t longest) const;
     /// false if it is not stated.
     [[nodiscard]] bool flag(nlohmann::json const& table, char const* key) const;
-    /// At most 50 different names; `key` is that of the list.
+    /// At most 50 different names; `key` is the key of the list.
     [[nodiscard]] std::vector<std::string> namesIn(nlohmann::json const& list, std::string_view key) const;
     /// The same for a key of a table; empty if it is not stated.
     [[nodiscard]] std::vector<std::string> names(nlohmann::json const& table, char const* key) const;

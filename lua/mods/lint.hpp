@@ -7,9 +7,9 @@
 
 namespace trembler::lua {
 
-/// Things that a script declares and never mentions again: properties, which wake it when they change,
-/// parameters, which players set without effect, and fields of its store; and numbers for players without
-/// words. In order of lines. Names that a script puts together while it runs are not seen.
+/// Names that a script declares and never mentions again: properties, whose changes wake it, parameters,
+/// which players set without effect, and fields of its store. Also missing descriptions, and numbers without
+/// a range. In order of lines. Names that a script puts together while it runs are not seen.
 [[nodiscard]] std::vector<Diagnostic> lint(Manifest const& manifest);
 
 } // namespace trembler::lua

@@ -12,7 +12,7 @@
 namespace trembler::lua {
 
 struct Mod {
-    std::string name; ///< that of its folder
+    std::string name; ///< its folder's name
     std::string version;
     std::string author;
     std::string licence;
@@ -33,17 +33,17 @@ struct Mod {
 /// Reads a mod with its scripts, but not its parts and levels. Adds everything that is wrong to `problems`.
 [[nodiscard]] Mod readMod(std::filesystem::path const& folder, Problems& problems);
 
-/// The folder of mods for a stated folder: the same, or the folder above it if it is that of a single mod.
+/// The folder of mods for a stated folder: the stated one, or the one above it if it is a single mod's.
 [[nodiscard]] std::filesystem::path modsFolder(std::filesystem::path const& stated);
 
-/// The folders in which mods are looked for, the first that has one counts: the folders that are stated (each
-/// as modsFolder() takes it), the one beside a level's pack, the user's ($XDG_DATA_HOME/trembler/mods), and
-/// that of the bundled ones, home/mods.
+/// The folders in which mods are looked for, in order; the first that contains a mod of that name counts.
+/// They are the stated folders (each as modsFolder() takes it), the one beside a level's pack, the user's
+/// ($XDG_DATA_HOME/trembler/mods), and that of the bundled mods, home/mods.
 [[nodiscard]] std::vector<std::filesystem::path> modFolders(std::span<std::string const> stated,
                                                             std::filesystem::path const& level,
                                                             std::filesystem::path const& home);
 
-/// Every mod's folder in those, in order of names; of two of one name the first that is found.
+/// The folder of every mod in these folders, in order of names; of two mods with one name, the first found.
 [[nodiscard]] std::vector<std::filesystem::path> listMods(std::span<std::filesystem::path const> folders);
 
 /// The mods with the given names and the mods that these need, in order of their names. Missing and wrong
@@ -57,7 +57,7 @@ struct Mod {
 [[nodiscard]] std::vector<std::string> modsNamedBy(std::filesystem::path const& level);
 
 /// Makes the folder of a new mod with an interaction that works, a level that needs it and a test. Throws
-/// std::invalid_argument if the name is none or the folder is there.
+/// std::invalid_argument if the name is not valid or the folder exists.
 void writeNewMod(std::filesystem::path const& folder, std::string const& name);
 
 } // namespace trembler::lua

@@ -1,4 +1,4 @@
-// The mod that `trembler mod new` makes: small, complete, and it works.
+// The mod that `trembler mod new` makes: small, complete and working.
 #include "lua/mods/mod.hpp"
 #include "physics/gravity/properties.hpp"
 #include "runtime/file/output_file.hpp"

@@ -16,8 +16,8 @@ namespace trembler::lua {
 ///
 ///     {"trusted": ["my-mod"], "most": {"instructions": 400000, "memory": 33554432}}
 ///
-/// `most` are the limits that scripts may state at most, by their keys in scripts; limits that are missing
-/// are as they come with the program.
+/// `most` are the greatest limits that scripts may state, by their keys in scripts; a missing limit keeps the
+/// program's own value.
 struct ModSettings {
     std::set<std::string, std::less<>> trusted; ///< names of mods
     ScriptLimits most = ScriptLimits::greatest();
@@ -31,8 +31,8 @@ struct ModSettings {
 /// Trusts mods of these names too, for as long as the program runs. Thread-safe.
 void trustForThisRun(std::vector<std::string> const& names);
 /// Makes scripts trusted whose mods came with the program, are in the settings or were named to
-/// trustForThisRun(). A mod beside a level is not meant by the settings: another author may have given it the
-/// name of a trusted mod. Nothing that scripts compute depends on trust: see Trust.
+/// trustForThisRun(). The settings do not apply to a mod beside a level: another author may have given it
+/// the name of a trusted mod. Nothing that scripts compute depends on trust: see Trust.
 void applyTrust(std::span<Mod> mods, ModSettings const& settings);
 
 } // namespace trembler::lua

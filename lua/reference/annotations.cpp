@@ -22,13 +22,13 @@ std::string className(std::string_view key) {
     return name;
 }
 
-/// As an annotation names it: a word of Lua's own is put in brackets.
+/// A field's name in an annotation: a keyword of Lua is put in brackets.
 std::string fieldName(std::string_view key) {
     std::string const member = memberOf("", key);
     return member.front() == '.' ? member.substr(1) : member;
 }
 
-/// In one line: an annotation ends with it.
+/// The text about a field, in one line: an annotation ends with it.
 std::string note(ReferenceField const& field) {
     std::string const range = rangeText(field);
     std::string text =

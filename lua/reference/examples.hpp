@@ -7,8 +7,7 @@
 
 namespace trembler::lua {
 
-/// The script that shows a function: one that was written for it, or, for a function without, one made from
-/// its description.
+/// The script that shows a function: one that was written for it, otherwise one made from its description.
 [[nodiscard]] std::string functionExample(ReferenceFunction const& function);
 
 /// Statements that read every field of a property, made from its description.

@@ -11,7 +11,7 @@ struct GlobalNote {
     std::string_view use;    ///< "math.clamp(x, least, most)"
     std::string_view result; ///< the type of its result, or of itself, as editors write it; "" if it has none
     std::string_view meaning; ///< without a full stop
-    std::string_view example; ///< statements that hold
+    std::string_view example; ///< statements that are true
 };
 
 /// In the order of the page. Complete: a test compares it with the globals of the sandbox.

@@ -53,7 +53,7 @@ struct Reference {
 
 /// "object.Mass", "world.Gravity", "world[\"F_G\"]": how a script reaches a property.
 [[nodiscard]] std::string expressionOf(ReferenceProperty const& property);
-/// `of` and a field of it, as Lua: "shape.form", or "shape[\"repeat\"]" if the name is a word of Lua's own.
+/// `of` and a field of it, as Lua: "shape.form", or "shape[\"repeat\"]" if the name is a keyword of Lua.
 [[nodiscard]] std::string memberOf(std::string_view of, std::string_view name);
 /// The name by which examples declare a property: its name if that needs no quotes, else its key.
 [[nodiscard]] std::string_view scriptName(PropertyInfo const& info);

@@ -8,23 +8,23 @@
 
 namespace trembler::lua {
 
-/// Limits of one frame, of all turns that one scripted interaction has in it: one in each part of the frame,
-/// or a single one. So they bound how much longer a frame takes, however many parts it has. Limits "per
-/// object" are added for each object, or pair, that the script is applied to, in each turn again: an
-/// interaction that has eight times the work may do eight times as much.
+/// Limits of one frame, for all turns of one scripted interaction in it together: one turn in each part of
+/// the frame, or a single one. So they bound how much longer a frame takes, however many parts it has. Limits
+/// "per object" are added for each object, or pair, that the script is applied to, in every turn: an
+/// interaction with eight times the objects may do eight times the work.
 struct ScriptLimits {
     std::uint64_t instructions = 15'000;
     std::uint64_t instructionsPerObject =
         500; ///< on average: an object may use instructions that others leave
-    /// Bytes by which the memory in use may grow, at a time: each turn begins without the memory that the one
+    /// Bytes by which the memory in use may grow in a turn, which begins without the memory that the turn
     /// before has used. Garbage of one application counts until its end.
     std::size_t memory = std::size_t{4} << 20U;
-    /// Bytes, the sum over all that is allocated in a frame, less the old parts of growing blocks.
+    /// Bytes, summed over all allocations in a frame, less the old sizes of blocks that grow.
     std::size_t allocation = std::size_t{4} << 20U;
     std::size_t allocationPerObject = 1024; ///< bytes
     std::uint32_t calls = 100;              ///< of functions of the resolver
     std::uint32_t callsPerObject = 10;
-    std::uint32_t creations = 20; ///< calls that create objects, of those calls
+    std::uint32_t creations = 20; ///< of these, calls that create objects
     std::uint32_t logLines = 10;
 
     /// The greatest limits that a manifest may state.
@@ -41,7 +41,7 @@ struct ScriptLimits {
     }
 };
 
-/// How far a script's author is trusted: this changes how a script is run, but none of its results, which are
+/// How far a script's author is trusted. This changes how a script is run, but none of its results, which are
 /// the same for both, bit for bit.
 enum class Trust {
     /// Interpreted only; no FFI in its state; blocks of memory are bounded.

@@ -41,7 +41,7 @@ public:
         collecting_ = false;
         live_ = used_;
     }
-    /// Whether so much is used since the last collection that another one is worth its time.
+    /// Whether enough memory was used since the last collection to make another one worth its time.
     [[nodiscard]] bool worthCollecting() const;
 
     /// The function of type lua_Alloc; `self` is a Memory. Never refuses to shrink a block.

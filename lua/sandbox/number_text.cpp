@@ -24,7 +24,7 @@ unsigned takeNumber(std::string_view& text, unsigned base, std::size_t most) {
     return value;
 }
 
-/// The string for which a literal stands, as far as it decides whether that reads as a number.
+/// The string of a literal, as far as it is needed to decide whether the string reads as a number.
 std::string unescaped(std::string_view literal) {
     std::string text;
     while (!literal.empty()) {

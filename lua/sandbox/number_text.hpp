@@ -2,7 +2,7 @@
 //
 // Lua's arithmetic takes a text for a number where it reads as one: "1e308" + 0. That is one instruction, and
 // for many digits or a large exponent it takes up to 0.2 ms, which nothing counts or bounds. So no script
-// gets hold of such a text: literals are refused, and functions that make texts at run time put them in
+// receives such a text: literals are refused, and functions that make texts at run time put them in
 // brackets. Joining with .. is an instruction of its own, so a script's text is changed: between the operands
 // of each .. stands a name whose value has a metamethod, in which the host joins them.
 #pragma once
@@ -16,7 +16,7 @@
 
 namespace trembler::lua {
 
-/// Whether arithmetic takes a text for a number, and one of more than longestNumber characters or with an
+/// Whether arithmetic takes a text for a number, and the text has more than longestNumber characters or an
 /// exponent.
 [[nodiscard]] bool readsAsLongNumber(std::string_view text);
 

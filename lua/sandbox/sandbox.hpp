@@ -1,4 +1,4 @@
-// One Lua state in which one script runs, with nothing in it that leads outside.
+// One Lua state in which one script runs, without access to anything outside it.
 #pragma once
 
 #include "lua/sandbox/limits.hpp"
@@ -29,13 +29,13 @@ struct CallBudget {
 };
 
 /// The memory, the instructions and the functions that a script gets. A script's text is run again in each
-/// turn, and nothing of what it makes lasts to the next one, so it cannot keep a state that is not hashed.
-/// Used by one thread at a time.
+/// turn, and no value that it makes lasts to the next one, so it cannot keep a state that is not hashed. Used
+/// by one thread at a time.
 ///
-/// What an untrusted script uses is the same in every run, to the byte. LuaJIT's collector would prevent
-/// that: it goes through the strings in the order of their hashes, for which each state has a random seed,
-/// and it makes stacks smaller. So it is stopped, all garbage is collected at once where the host decides it,
-/// and each turn has a new stack.
+/// The memory that an untrusted script uses is the same in every run, to the byte. LuaJIT's collector would
+/// prevent that: it goes through the strings in the order of their hashes, for which each state has a random
+/// seed, and it makes stacks smaller. So it is stopped, all garbage is collected at once where the host
+/// decides it, and each turn has a new stack.
 class Sandbox {
 public:
     /// Throws std::bad_alloc.
@@ -44,22 +44,23 @@ public:
     Sandbox(Sandbox const&) = delete;
     Sandbox& operator=(Sandbox const&) = delete;
 
-    /// Compiles a text; `name` stands for it in messages, "wind.lua". Once. For `vectors`, see countSource().
+    /// Compiles a text; `name` stands for it in messages, "wind.lua". To be called once. For `vectors`, see
+    /// countSource().
     [[nodiscard]] std::optional<ScriptError> load(std::string_view text, std::string const& name,
                                                   VectorArguments const* vectors = nullptr);
 
     /// A function that is called back in protected mode. It may call functions that raise Lua errors. Its
     /// values on the stack are removed afterwards.
     using Body = std::function<void(lua_State*)>;
-    /// Runs the host's own code in protected mode: running out of memory is then no abort.
+    /// Runs the host's own code in protected mode: running out of memory does not abort the program then.
     [[nodiscard]] std::optional<ScriptError> protect(Body const& body);
     /// Which turn of its frame a turn is.
     enum class TurnOf {
         newFrame,  ///< the first one
-        sameFrame, ///< another one: it has the rest that the earlier ones left, and more for its own objects
+        sameFrame, ///< a later one: it has the rest of the limits, and more for its own objects
     };
-    /// A turn: `body` within the limits for `objects` objects. After one that has failed there may be others
-    /// of new frames only.
+    /// Runs a turn: `body` within the limits for `objects` objects. After a turn that has failed, only turns
+    /// of new frames may follow.
     [[nodiscard]] std::optional<ScriptError> turn(std::size_t objects, Body const& body,
                                                   TurnOf of = TurnOf::newFrame);
 
@@ -67,19 +68,19 @@ public:
 
     /// Pushes the function into which the text was compiled.
     void pushChunk(lua_State* L) const;
-    /// Counts the instructions of the chunk, once, and those of apply for so many applications, if it does
+    /// Counts the instructions of the chunk, once, and those of apply for that many applications, if it does
     /// not count them by itself. Raises a Lua error beyond the limit.
     void chargeText(lua_State* L, std::size_t applications);
-    /// Runs the chunk some times, uncounted and silently. The compiler recognises functions that were made
-    /// often as different functions of one text.
+    /// Runs the chunk several times, uncounted and without its log. The compiler recognises functions that
+    /// were made often as different functions of one text.
     void rehearse(lua_State* L, int times);
     /// Pushes LuaJIT's FFI library. Of a trusted script's state only, for the host's own functions.
     void pushFfi(lua_State* L) const;
     /// Pushes the table of globals that scripts see besides their own; fields that are set in it are seen by
     /// the script.
     void pushSurroundings(lua_State* L) const;
-    /// Shows the script's chunk the value on top of the stack, and pops it, under a name that a script cannot
-    /// use itself: one of CountedSource.
+    /// Pops the value on top of the stack and shows it to the script's chunk, under a name of CountedSource,
+    /// which a script cannot use itself.
     void showChunk(lua_State* L, std::string_view name) const;
     /// Pushes the metatable of vectors.
     void pushVectorMeta(lua_State* L) const;
@@ -92,20 +93,20 @@ public:
     [[nodiscard]] std::optional<Vec2> vectorAt(lua_State* L, int index) const;
     /// Calls the function below `arguments` arguments, as the script's own code: blocks are bounded.
     void callScript(lua_State* L, int arguments, int results);
-    /// Counts instructions that the host's work is worth. Raises a Lua error beyond the limit.
+    /// Counts the host's work as this many instructions. Raises a Lua error beyond the limit.
     void charge(lua_State* L, double instructions);
-    /// Counts a call of the resolver, which creates an object or does not.
+    /// Counts a call of the resolver; `creates`: it creates an object.
     void chargeCall(lua_State* L, bool creates = false);
     /// Raises an error with the place in the script that is under way.
     [[noreturn]] void raise(lua_State* L, std::string const& message);
 
-    /// Takes what the script logs; set before the turn. Lines beyond the limit are dropped.
+    /// Receives the lines that the script logs; set before the turn. Lines beyond the limit are dropped.
     std::function<void(std::string const&)> onLog;
     /// Instructions of the last turn and of those before it in the same frame, and their limit so far.
     [[nodiscard]] std::uint64_t instructions() const { return spent_; }
     [[nodiscard]] std::uint64_t mostInstructions() const { return static_cast<std::uint64_t>(budget_); }
     [[nodiscard]] Memory const& memory() const { return memory_; }
-    /// Bytes by which the memory in use may grow at a time.
+    /// Bytes by which the memory in use may grow in a turn.
     [[nodiscard]] std::size_t mostMemory() const;
     [[nodiscard]] CallBudget& calls() { return calls_; }
     [[nodiscard]] bool trusted() const { return trust_ == Trust::trusted; }
@@ -120,7 +121,7 @@ private:
     static constexpr double unlimited = 1e300; // instructions, outside of turns
     /// "wind.lua:12: ", where the script is; empty if it is not known.
     [[nodiscard]] static std::string placeOf(lua_State* L);
-    /// The counter of instructions is below zero.
+    /// Raises the error of the limit: the counter of instructions is below zero.
     [[noreturn]] void over(lua_State* L);
     [[noreturn]] void stop(lua_State* L, std::string const& message);
     void open();

@@ -11,7 +11,7 @@
 namespace trembler::lua {
 namespace {
 
-// Raising an error takes as long as so many instructions.
+// Raising an error takes as long as this many instructions.
 constexpr double chargePerError = 400;
 
 } // namespace
@@ -72,7 +72,7 @@ void Sandbox::over(lua_State* L) {
     stop(L, fmt::format("the script takes more than its {} instructions in a frame", budget_));
 }
 
-// From here on every counter in the text raises the error again, so no pcall can hold it up.
+// From here on every counter in the text raises the error again, so no pcall can suppress it.
 void Sandbox::stop(lua_State* L, std::string const& message) {
     if (&message != &stopped_) {
         spent_ = static_cast<std::uint64_t>(std::clamp(budget_ - left(L), 0.0, budget_));

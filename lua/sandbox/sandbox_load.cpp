@@ -70,7 +70,7 @@ void Sandbox::chooseGlobals(lua_State* L) {
     for (std::string const& name : source_.assigned) {
         lua_pushlstring(L, name.data(), name.size());
         lua_rawget(L, -2);
-        // Functions that are added later count as well.
+        // The functions that the host adds later count as well.
         plainGlobals_ =
             plainGlobals_ && lua_isnil(L, -1) && name != "world" && name != "alive" && name != "same";
         lua_pop(L, 1);

@@ -88,7 +88,7 @@ void Sandbox::finishTurn(std::optional<ScriptError>& failed) {
     if (failed && (!stopped_.empty() || memory_.exhausted())) {
         failed->limit = true;
         if (!stopped_.empty() && failed->message.find(stopped_) == std::string::npos) {
-            failed->message = stopped_; // the script has put something else in its place
+            failed->message = stopped_; // the script has replaced the error
         } else if (stopped_.empty()) {
             failed->message =
                 fmt::format("the script needs more memory than its limits, {} bytes at a time and "

@@ -84,7 +84,7 @@ bool Canvas::seen(Instance const& shape, double margin) const {
     double const reach = std::hypot(shape.half[0], shape.half[1]) + margin;
     double const right = 0.5 * camera_.viewport.width / camera_.pixelsPerMetre + reach;
     double const top = 0.5 * camera_.viewport.height / camera_.pixelsPerMetre + reach;
-    // Written so that anything that is not a number comes out as not seen.
+    // Written so that a shape with a number that is not finite counts as not seen.
     return std::abs(shape.centre[0]) <= right && std::abs(shape.centre[1]) <= top && std::isfinite(reach) &&
            std::isfinite(shape.axis[0]) && shape.half[0] > 0 && shape.half[1] > 0;
 }
@@ -142,7 +142,7 @@ void Canvas::fill(Instance shape, Style const& style) {
     }
     if (style.layer == Layer::Shadow) {
         shape.flags = flagSelected;
-        push(shape); // colourless but for the ring
+        push(shape); // only the ring has a colour
         return;
     }
     Colour const opaque{tint.red, tint.green, tint.blue, 255};
@@ -184,7 +184,7 @@ void Canvas::polygon(Pose const& pose, std::span<Point const> corners, Style con
         lower = {std::min(lower.x, corner.x), std::min(lower.y, corner.y)};
         upper = {std::max(upper.x, corner.x), std::max(upper.y, corner.y)};
     }
-    // The quad is centred on the corners' box, which need not be where the body's own origin is.
+    // The quad is centred on the corners' box, whose middle need not be the body's own origin.
     Point const middle = 0.5 * (lower + upper);
     auto shape = placed(toWorld(pose, middle), pose.angle, 0.5 * (upper - lower));
     shape.kind = kindPolygon;

@@ -12,7 +12,8 @@
 
 namespace trembler::render {
 
-/// Shapes that give way for a moment, like a part that has just been put down: scaled about a place.
+/// A deformation of shapes for a moment, as of a part that has just been put down: they are scaled about a
+/// place.
 struct Flattening {
     Point about; ///< m
     double x = 1;
@@ -43,9 +44,10 @@ public:
     void begin(Camera const& camera, CanvasOptions const& options = {});
     /// The paper and its grid over everything; call it first.
     void paper();
-    /// Later shapes lie on top, with shadows on earlier ones (a part that is being dragged).
+    /// Later shapes lie on top of all earlier ones, with shadows on them (a part that is being dragged).
     void newSheet();
-    /// Whether shapes from now on are flattened as the options of the picture state; their shadows are not.
+    /// Whether shapes from now on are flattened by the Flattening in the picture's options; their shadows are
+    /// not.
     void flatten(bool on) { flattens_ = on; }
     /// Draws the collected shapes. Throws RenderError if the driver refuses a shader that is needed for the
     /// first time.

@@ -19,7 +19,7 @@ bool usable(std::span<Point const> points) {
 } // namespace
 
 double Canvas::halfWidth(Stroke const& stroke) const {
-    // Never thinner than half a pixel: a line that is asked for is seen.
+    // Never thinner than half a pixel, so that every line can be seen.
     return 0.5 *
            std::max({stroke.width, metres(static_cast<double>(stroke.pixels)), 0.5 / camera_.pixelsPerMetre});
 }
@@ -62,8 +62,8 @@ void Canvas::addChain(std::span<Point const> points, Instance look, double radiu
         if (!seen(shape, reach)) {
             continue;
         }
-        // Every segment looks as far along its neighbours as the light reaches, but not further: it costs
-        // time.
+        // Every segment checks its neighbours as far along the path as the light reaches, but not further, to
+        // save time.
         auto from = i;
         auto to = i + 1;
         double left = reach + radius;

@@ -1,4 +1,4 @@
-// Colours as the palette writes them, and the few sums that are done with them.
+// Colours as the palette writes them, and simple calculations with them.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +21,7 @@ struct Colour {
             static_cast<std::uint8_t>(hex & 0xFFU), 255};
 }
 
-/// The nearest channel value, for 0 to 255.
+/// The nearest channel value, for values from 0 to 255.
 [[nodiscard]] constexpr std::uint8_t channelFrom(float value) {
     float const up = value + 0.5F;
     return static_cast<std::uint8_t>(up);

@@ -1,4 +1,5 @@
-// One shape as the graphics card gets it: 64 bytes, and the numbers that C++ and the shaders must agree on.
+// One shape as it is sent to the graphics card: 64 bytes, and the numbers that C++ and the shaders must agree
+// on.
 #pragma once
 
 #include <array>

@@ -6,7 +6,7 @@
 // The clear one differs more, above all in lightness, so that any two colours that can stand for different
 // things in one place are different colours at a glance for protanopes, deuteranopes and tritanopes too. A
 // meaning is never shown by colour alone: poles carry letters, live wires move, a forbidden place is hatched.
-// tests/render/draw/palette_test.cpp computes the distances as each kind of eyes sees them.
+// tests/render/draw/palette_test.cpp computes the distances as eyes of each kind see them.
 #pragma once
 
 #include "render/draw/colour.hpp"
@@ -20,10 +20,10 @@ namespace trembler::render::palette {
 // The workbench.
 inline constexpr Colour paper = rgb(0xF4ECDD);
 inline constexpr Colour paperLight = rgb(0xFBF7EE); ///< cards and tiles that lie on the paper
-inline constexpr Colour paperShade = rgb(0xE7DBC5); ///< wells, tracks and things pressed
+inline constexpr Colour paperShade = rgb(0xE7DBC5); ///< wells, tracks and pressed buttons
 inline constexpr Colour grid = rgb(0xC4AE88);
 inline constexpr Colour ink = rgb(0x2E2925);
-inline constexpr Colour inkSoft = rgb(0x6B6157); ///< second-rank text; still 5:1 on paper
+inline constexpr Colour inkSoft = rgb(0x6B6157); ///< less important text; still 5:1 on paper
 inline constexpr Colour shadow = {58, 40, 20, 92};
 
 /// Colours with a meaning.

@@ -16,7 +16,8 @@ namespace {
 /// Lines closer than this (pixels at UI scale 1) are not drawn.
 constexpr double closestLines = 7;
 
-/// Grows no more from where the coarsest set but one comes in: the coarsest may then go without a jump.
+/// Constant from the scale at which the second coarsest set appears, so that the coarsest can go without a
+/// jump.
 float strengthAt(double pixels) {
     double const decades = std::log10(std::min(pixels / closestLines, 50.0));
     return decades > 0 ? static_cast<float>(0.80 * decades / (decades + 0.8)) : 0.F;

@@ -16,8 +16,8 @@ struct Ruling {
 };
 
 /// The sets that are seen at a zoom, finest first: 1, 5, 10, 50 and 100 times a power of ten. A set's
-/// strength is a function of its distance on the screen alone and starts from nothing, so zooming never makes
-/// a line jump.
+/// strength is a function of its distance on the screen alone and starts at 0, so lines appear and disappear
+/// gradually while one zooms.
 [[nodiscard]] std::array<Ruling, 5> rulingsFor(double pixelsPerMetre, float uiScale);
 
 /// Window thread only.

@@ -39,7 +39,7 @@ void setColour(Program const& program, char const* uniform, Colour value) {
 ShapeBatch::ShapeBatch()
     : layout_(makeVertexArray()), instances_(makeBuffer()), corners_(makeBuffer()),
       cornerView_(makeTexture()) {
-    // A driver that cannot do it should say so now and not in the middle of a game.
+    // A driver that cannot compile the shaders should fail now and not in the middle of a game.
     (void)programFor({.shaded = true});
 }
 
@@ -113,7 +113,7 @@ void ShapeBatch::draw(std::span<Instance const> shapes, std::span<Corner const> 
     if (shapes.empty()) {
         return;
     }
-    // A fresh store every time, so that the driver need not wait for the last frame to be done with the old
+    // A new store in each frame, so that the driver need not wait until the last frame is drawn from the old
     // one.
     glBindBuffer(GL_ARRAY_BUFFER, instances_.name());
     glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(shapes.size_bytes()), shapes.data(),

@@ -11,36 +11,36 @@ namespace trembler::render {
 
 /// How a surface is drawn, so that materials differ at a glance in more than their colour.
 enum class Pattern : std::uint8_t {
-    Plain,   ///< flat two-tone, for things without a substance
+    Plain,   ///< flat two-tone, for objects without a material
     Metal,   ///< brushed, with a sheen that stays when the part turns
     Wood,    ///< grain along the part's own x axis
-    Glass,   ///< one sees through it; two reflections
+    Glass,   ///< transparent; two reflections
     Rubber,  ///< dark, matt, fine stipple
     Stone,   ///< speckles
     Plastic, ///< even, with one glossy strip
     Copper,  ///< as metal, warmer and shinier
-    Water,   ///< one sees through it; waves that move with time
+    Water,   ///< transparent; waves that move with time
 };
 
 /// The colour of a pattern for which the style states no tint.
 [[nodiscard]] Colour colourOf(Pattern pattern);
 
-/// Light around a shape. It is drawn behind the shape and falls off to nothing at `reach`.
+/// Light around a shape. It is drawn behind the shape and fades out at `reach`.
 struct Glow {
     Colour colour = palette::live;
     double reach = 0;     ///< metres; 0 for none
     float strength = 0.F; ///< 0..1, opacity at the shape's edge
 };
 
-/// Bodies made of several shapes look like one if all their rims are drawn first and all their insides after
-/// that. Objects that are drawn in another way need only the shadow of their bodies, and the ring if they are
-/// selected.
+/// The part of a shape to draw. Bodies made of several shapes look like one if all their rims are drawn first
+/// and all their insides after that. Objects that are drawn in another way need only the shadow of their
+/// bodies, and the ring if they are selected.
 enum class Layer : std::uint8_t { Whole, Rim, Inside, Shadow };
 
 /// How a filled shape looks. Lengths in pixels are at UI scale 1.
 struct Style {
     Pattern pattern = Pattern::Plain;
-    std::optional<Colour> tint{};          ///< else that of the pattern; its opacity counts
+    std::optional<Colour> tint{};          ///< else the pattern's colour; its opacity counts
     float outline = 2.F;                   ///< pixels, inside the shape's true edge; 0 for none
     std::optional<Colour> outlineColour{}; ///< else ink with a touch of the tint
     float alpha = 1.F;                     ///< 0..1, of everything

@@ -1,4 +1,4 @@
-// The one exception of the drawing layer: the failure, in words that a player can act on.
+// The only exception of the drawing layer: it states the failure in words that a player can act on.
 #pragma once
 
 #include <stdexcept>

@@ -11,11 +11,11 @@ namespace trembler::render {
 /// An RGBA target without depth. Window thread only.
 class Framebuffer {
 public:
-    /// Throws RenderError if the size is not positive, or larger than the driver can do.
+    /// Throws RenderError if the size is not positive, or larger than the driver allows.
     explicit Framebuffer(Size size);
 
     [[nodiscard]] Size size() const { return size_; }
-    /// Subsequent drawing is into this, over the whole area. The caller rebinds its own target afterwards.
+    /// Subsequent drawing goes into this, over the whole area. The caller rebinds its own target afterwards.
     void bind() const;
     /// OpenGL's name of the picture, for ImGui::Image; its first row is the bottom one, so v runs from 1 to
     /// 0.

@@ -1,12 +1,12 @@
-// Ownership of OpenGL's numbered objects: deleted exactly once, with the context that made them current.
+// Ownership of OpenGL's numbered objects: each is deleted exactly once, while its context is current.
 #pragma once
 
 #include <utility>
 
 namespace trembler::render {
 
-/// A move-only owner of one OpenGL name. Delete is a function that takes the name. Like everything that
-/// touches OpenGL it belongs to the thread of the window, and must go before the window does.
+/// A move-only owner of one OpenGL name. Delete is a function that takes the name. Like everything that uses
+/// OpenGL it belongs to the thread of the window, and must be destroyed before the window.
 template <void (*Delete)(unsigned)>
 class GlHandle {
 public:

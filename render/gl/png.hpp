@@ -6,8 +6,8 @@
 
 namespace trembler::render {
 
-/// Writes the picture as a PNG. Throws RenderError if the picture is empty; whether all of it was written the
-/// file says when it is committed.
+/// Writes the picture as a PNG. Throws RenderError if the picture is empty. Errors of writing are reported by
+/// the file when it is committed.
 void writePng(Image const& image, OutputFile& file);
 
 } // namespace trembler::render

@@ -1,4 +1,4 @@
-// A pair of shaders, compiled and linked, with errors that say which line of which shader is wrong.
+// A pair of shaders, compiled and linked, with errors that name the shader and the wrong line.
 #pragma once
 
 #include "render/gl/error.hpp"

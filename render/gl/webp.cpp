@@ -28,7 +28,7 @@ AnimatedWebp::AnimatedWebp(Size size) : encoder_(std::make_unique<Encoder>()), s
             fmt::format("a moving picture of {} x {} pixels cannot be made", size.width, size.height));
     }
     encoder_->config.quality = 80;
-    encoder_->config.method = 2; // compresses while the picture is drawn: quick before small
+    encoder_->config.method = 2; // compresses while the picture is drawn: speed matters more than size
     options.anim_params.loop_count = 0;
     encoder_->encoder = WebPAnimEncoderNew(size.width, size.height, &options);
     if (encoder_->encoder == nullptr) {

@@ -26,8 +26,8 @@ public:
     void add(Image const& image, std::int64_t milliseconds);
     [[nodiscard]] int pictures() const { return pictures_; }
     /// Writes all pictures, which then repeat for ever; the last one is shown until `milliseconds`. Nothing
-    /// can be added afterwards. Throws RenderError without a picture; whether all of it was written the file
-    /// says when it is committed.
+    /// can be added afterwards. Throws RenderError if there is no picture. Errors of writing are reported by
+    /// the file when it is committed.
     void write(OutputFile& file, std::int64_t milliseconds);
 
 private:

@@ -31,7 +31,7 @@ Face faceOf(ButtonLook look, bool hovered, bool enabled) {
         return {mix(paperLight, paperShade, 0.5F), paperShade, mix(paperShade, ink, 0.40F)};
     }
     if (hovered) {
-        // Light words on a coloured button are no worse to read under the mouse.
+        // Light words on a coloured button stay as easy to read under the mouse.
         face.body = mix(face.body, look == ButtonLook::Quiet ? accent : ink, 0.14F);
     }
     return face;

@@ -14,9 +14,9 @@ namespace trembler::render {
 inline constexpr float buttonOutline = 1.6F;
 
 enum class ButtonLook : std::uint8_t {
-    Primary, ///< the one thing to do next
-    Quiet,   ///< everything else
-    Danger,  ///< loses something
+    Primary, ///< the usual next action
+    Quiet,   ///< all other actions
+    Danger,  ///< an action that loses data
 };
 
 struct ButtonOptions {
@@ -27,7 +27,7 @@ struct ButtonOptions {
     char const* tip = nullptr; ///< shown when the mouse rests on it
 };
 
-/// True in the frame in which it is clicked.
+/// True in the frame in which the button is clicked.
 bool bigButton(char const* label, ButtonOptions const& options = {});
 
 /// A square button with a picture only; `on` shows it pressed in (a switch). The tip describes its action in

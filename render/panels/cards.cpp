@@ -70,7 +70,7 @@ void beginCard(char const* id, char const* title, CardOptions const& options) {
     ImGui::Begin(id, nullptr, flags);
     if (options.bare) {
         ImGui::PopStyleVar(2);
-    } else if (!ImGui::IsWindowAppearing()) { // before that its size is not known
+    } else if (!ImGui::IsWindowAppearing()) { // in its first frame the size is not known
         ImVec2 const low = ImGui::GetWindowPos();
         ImVec2 const size = ImGui::GetWindowSize();
         shadowUnder(low, {low.x + size.x, low.y + size.y});

@@ -1,4 +1,4 @@
-// Sheets of card that lie on the paper: the ground of every panel that a player sees, and the goal card.
+// Cards that lie on the paper: the background of every panel that a player sees, and the goal card.
 #pragma once
 
 #include <imgui.h>
@@ -9,7 +9,7 @@
 
 namespace trembler::render {
 
-/// Which corner, edge or middle of the window a card keeps to.
+/// The corner, edge or middle of the window at which a card stays.
 enum class Anchor : std::uint8_t {
     TopLeft,
     Top,
@@ -44,7 +44,7 @@ struct GoalLine {
 /// The goal in words, each line with its box to tick. Inside a card.
 void goalLines(std::span<GoalLine const> lines);
 
-/// Wrapped text in the second-rank colour. Inside a card.
+/// Wrapped text in the colour of less important text. Inside a card.
 void caption(char const* text);
 /// The same in the small font.
 void smallCaption(char const* text);

@@ -109,8 +109,8 @@ void Gui::feedMouse(InputEvents const& input) {
 namespace {
 
 /// The key of ImGui's that has the meaning of a gamepad's button: the directional pad moves among widgets,
-/// its lower button presses, the right one leaves, the left one begins to type, also into a number that can
-/// be dragged. Other events are returned as they are.
+/// its lower button presses, the right one leaves, the left one starts text input, also into a number that
+/// can be dragged. Other events are returned as they are.
 SDL_Event asKeyOfWidgets(SDL_Event event) {
     struct Stands {
         SDL_Keycode pad;

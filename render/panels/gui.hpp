@@ -26,17 +26,17 @@ public:
     Gui(Gui&&) = delete;
     Gui& operator=(Gui&&) = delete;
 
-    /// Starts a frame with the events that `input` took last; ImGui's functions work from here to endFrame.
-    /// `seconds` since the last frame: clamped to at least a millisecond and at most a second.
+    /// Starts a frame with the events that `input` took last; ImGui's functions can be called from here to
+    /// endFrame. `seconds` since the last frame: clamped to at least a millisecond and at most a second.
     void beginFrame(InputEvents const& input, double seconds);
     /// Draws the panels over the window's contents. `beneath` is called after the drawing beneath all panels,
     /// such as words in the world, and before the panels; it may be empty.
     void endFrame(std::function<void()> const& beneath = {});
-    /// Instead of endFrame, if the window is not visible: draws nothing. The panels have answered the
-    /// player's input and are laid out all the same.
+    /// Instead of endFrame, if the window is not visible: draws nothing. The panels have still handled the
+    /// player's input and are laid out.
     void dropFrame();
 
-    /// The mouse is over a panel, or a text field has the keys: the world must not react.
+    /// The mouse is over a panel, or a text field has the keyboard: the world must not react.
     [[nodiscard]] bool wantsMouse() const;
     [[nodiscard]] bool wantsKeyboard() const;
 

@@ -28,8 +28,8 @@ NameFrame around(Point middle, Point size) {
     return {middle - 0.5 * size, middle + 0.5 * size};
 }
 
-/// Around the object: below first, where names are looked for, then the other sides; and the same once more
-/// with a name's height between.
+/// Places around the object: below first, the usual one, then the other sides; and all of them again at the
+/// distance of a name's height.
 std::array<Point, 16> placesAround(NamedBox const& box) {
     std::array<Point, 16> all{};
     Point const middle = 0.5 * (box.low + box.high);

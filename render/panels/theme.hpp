@@ -9,14 +9,14 @@
 
 namespace trembler::render {
 
-/// The letters, all of one family. Null never; with no font file found all are ImGui's built-in one.
+/// The letters, all of one family. Never null; if no font file is found, all are ImGui's built-in font.
 struct Fonts {
     ImFont* body = nullptr;    ///< 17 pixels at UI scale 1; the default
     ImFont* small = nullptr;   ///< 14: counts, units, captions
     ImFont* strong = nullptr;  ///< 17, semi-bold: buttons, names
     ImFont* heading = nullptr; ///< 23, semi-bold: headings of cards
     ImFont* title = nullptr;   ///< 46, bold: the title screen; Latin letters only
-    std::string message;       ///< where the letters come from, or why they are the built-in ones
+    std::string message;       ///< the source of the letters, or the reason for the built-in ones
     bool builtIn = false;
 };
 
@@ -30,7 +30,7 @@ struct Theme {
 /// The current theme. A Gui must exist.
 [[nodiscard]] Theme& theme();
 
-/// Pixels for a length that was thought out at UI scale 1.
+/// Pixels for a length that is stated at UI scale 1.
 [[nodiscard]] inline float scaled(float pixels) {
     return pixels * theme().scale;
 }
@@ -41,7 +41,7 @@ struct Theme {
 }
 [[nodiscard]] ImVec4 imColour4(Colour colour);
 
-/// Sets ImGui's style for a UI scale: paper, ink, soft corners, no debugger's greys.
+/// Sets ImGui's style for a UI scale: paper, ink and soft corners instead of ImGui's greys.
 void applyStyle(float scale);
 
 /// Empties ImGui's font atlas and loads the letters for a UI scale. Looks for Inter (package fonts-inter),

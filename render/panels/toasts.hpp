@@ -1,4 +1,4 @@
-// Short messages that come up at the edge of the window and go by themselves.
+// Short messages that appear at the edge of the window and disappear by themselves.
 #pragma once
 
 #include "render/draw/geometry.hpp"
@@ -27,9 +27,9 @@ public:
     void draw(double seconds, std::optional<Rectangle> kept = {});
 
     [[nodiscard]] std::size_t count() const { return toasts_.size(); }
-    /// The text of the newest one that is shown; "" if there is none.
+    /// The text of the newest toast that is shown; "" if there is none.
     [[nodiscard]] std::string newest() const { return toasts_.empty() ? std::string() : toasts_.back().text; }
-    /// How many of trouble there have been.
+    /// How many toasts have reported trouble so far.
     [[nodiscard]] std::uint64_t troubles() const { return troubles_; }
 
 private:

@@ -8,7 +8,7 @@ namespace trembler::render {
 struct ToolboxTile {
     char const* id = "";
     char const* name = "";
-    int count = -1;       ///< how many are left; negative for as many as one likes
+    int count = -1;       ///< how many are left; negative for any number
     unsigned picture = 0; ///< an OpenGL texture, bottom row first (Framebuffer::texture); 0 for none
     bool selected = false;
     float side = 92.F; ///< pixels at UI scale 1

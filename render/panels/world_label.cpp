@@ -26,7 +26,7 @@ void worldLabel(Camera const& camera, Point at, char const* text, LabelOptions c
     auto const& fonts = theme().fonts;
     bool const inWorld = options.metresHigh > 0;
     auto const high = static_cast<float>(options.metresHigh * camera.pixelsPerMetre);
-    // Of two sizes the one that is enlarged less.
+    // The font that is enlarged less.
     ImFont* font = !inWorld ? fonts.small : (high > fonts.heading->FontSize ? fonts.title : fonts.heading);
     float const size = inWorld ? high : font->FontSize;
     if (size < 4.F || size > 2000.F) {

@@ -1,4 +1,4 @@
-// The words that objects carry ("look": {"label": ...}); the panels' pass, which has a font, writes them.
+// The words on objects ("look": {"label": ...}); they are written with the panels, which have a font.
 #pragma once
 
 #include "render/scene/facts/poses.hpp"

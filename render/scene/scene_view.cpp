@@ -33,13 +33,13 @@ void drawObjects(Canvas& canvas, FactsReader const& reader, PoseOf const& place,
     bool moving = false;
     for (Facts const& facts : reader.drawOrder()) {
         Pose const pose = place(facts);
-        // The extent of a drawing takes longer, and only counts where the body is out of sight.
+        // The extent of a drawing takes longer to compute, and matters only where the body is out of sight.
         if (!extentOf(facts, pose).widened(deviceGlow(facts).reach).overlaps(view) &&
             (facts.drawing == nullptr || !pictureExtentOf(facts, pose).overlaps(view))) {
             continue;
         }
         if (!moving && !(facts.fixed && facts.shape != nullptr)) {
-            canvas.newSheet(); // moving objects throw their shadows on fixed ones
+            canvas.newSheet(); // moving objects cast their shadows on fixed ones
             moving = true;
         }
         if ((facts.id == options.hidden && options.hidden.valid()) || isOneOf(options.alsoHidden, facts.id)) {

@@ -28,13 +28,13 @@ struct SceneOptions {
     ObjectId hidden{};   ///< its body is left out; invalid: none
     std::span<ObjectId const> alsoSelected{};
     std::span<ObjectId const> alsoHovered{};
-    /// Joints among them and wires at their ends are left out, too.
+    /// Bodies that are left out too, with the joints among them and the wires at their ends.
     std::span<ObjectId const> alsoHidden{};
-    /// Are drawn flattened, see Canvas::flatten.
+    /// Objects that are drawn flattened, see Canvas::flatten.
     std::span<ObjectId const> flattened{};
     Overlays overlays{};
     std::span<Area const> placing{};     ///< where parts may be placed
-    std::span<GoalRegion const> goals{}; ///< that a goal asks about
+    std::span<GoalRegion const> goals{}; ///< of goals
     std::span<Ripple const> ripples{};   ///< of sounding objects
 };
 
@@ -46,12 +46,12 @@ struct SceneOptions {
 /// view.labels(...).
 class SceneView {
 public:
-    /// Call it when a world begins, or begins again: forgets the old one.
+    /// Call it when a world begins or restarts: forgets the old one.
     void start() { poses_.forget(); }
     /// Call it directly before each World::step, where frames are to be drawn in between.
     void remember(World const& world) { poses_.remember(world); }
     void draw(Canvas& canvas, World const& world, SceneOptions const& options = {}) const;
-    /// The words on the objects, where draw() puts the objects.
+    /// The words on the objects, at the places where draw() puts the objects.
     [[nodiscard]] std::vector<SceneLabel> labels(World const& world, double alpha = 1) const {
         return sceneLabels(world, poses_, alpha);
     }

@@ -210,7 +210,7 @@ bool Gamepads::takeSecond(SDL_Event const& event, std::vector<SDL_Event>& events
     }
     bool const down = event.type == SDL_CONTROLLERBUTTONDOWN;
     secondHeld_[event.cbutton.button] = down;
-    if (!down) { // it may have been pressed while its buttons still gave keys
+    if (!down) { // the button may have been pressed while the gamepad still gave keys
         press(padKey(static_cast<SDL_GameControllerButton>(event.cbutton.button)), false, events);
     }
     return true;

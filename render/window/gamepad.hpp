@@ -47,7 +47,7 @@ struct SecondPad {
     bool grabs = false;
 };
 
-/// Whose the gamepads are.
+/// Which player the gamepads belong to.
 enum class PadUse : std::uint8_t {
     together,    ///< all give keys
     secondApart, ///< the one plugged in second is the second player's
@@ -63,8 +63,8 @@ public:
     Gamepads(Gamepads const&) = delete;
     Gamepads& operator=(Gamepads const&) = delete;
 
-    /// Takes an event of SDL's; returns the key events that it stands for. The left stick gives those of
-    /// the directional pad, when it passes half of its way, and back at a third.
+    /// Takes an event of SDL's; returns the key events that it stands for. The left stick gives the keys of
+    /// the directional pad: pressed when it passes half of its way, released when it comes back to a third.
     std::vector<SDL_Event> take(SDL_Event const& event);
     [[nodiscard]] std::size_t count() const { return pads_.size(); }
     /// From now on the directions and the button A of the second player's gamepad give no keys.
@@ -78,7 +78,7 @@ private:
     void press(SDL_Keycode key, bool down, std::vector<SDL_Event>& events);
     void moveAxis(SDL_ControllerAxisEvent const& axis, std::vector<SDL_Event>& events);
     [[nodiscard]] bool isSecond(SDL_JoystickID pad) const;
-    /// Takes the event if it is the second player's hand that it moves.
+    /// Takes the event if it moves the second player's hand.
     bool takeSecond(SDL_Event const& event, std::vector<SDL_Event>& events);
 
     bool started_ = false;

@@ -29,11 +29,11 @@ public:
     /// Takes everything that waits in SDL's queue; call it once per frame, before Gui::beginFrame.
     void poll();
 
-    /// The events that the last poll took, in order; behind those of a gamepad the keys that they stand for.
+    /// The events that the last poll took, in order; each event of a gamepad is followed by its key events.
     [[nodiscard]] std::span<SDL_Event const> events() const { return events_; }
 
-    /// Takes the keys of gamepads out of this frame's events, and out of the held keys: no other reader gets
-    /// them then. For a keyboard on the screen.
+    /// Removes the keys of gamepads from this frame's events and from the held keys, and returns them: no
+    /// other reader gets them then. For a keyboard on the screen.
     std::vector<SDL_Event> takePadKeys();
     /// Adds an event of this frame that only the widgets get, as a keyboard on the screen makes them.
     void typeForWidgets(SDL_Event const& event) { typed_.push_back(event); }

@@ -1,4 +1,4 @@
-// Brings a window that was maximised back as that from the whole screen.
+// Maximises a window again that was maximised before it filled the screen.
 #pragma once
 
 namespace trembler::render {
@@ -9,9 +9,10 @@ struct WindowState {
 };
 
 /// Some window managers forget that a window was maximised while it fills the screen, and SDL only knows the
-/// size from before; others answer late, when the window has been seen small already. So for a moment after
-/// the whole screen the window is maximised whenever it is not. A moment of time, not of pictures: where
-/// nothing changes none is drawn, and a window that the player makes smaller later must stay so. Plain data.
+/// size from before; others restore it late, after the window was small for a moment. So for one second after
+/// the whole screen the window is maximised whenever it is not. This is measured in time, not in pictures:
+/// while nothing changes none is drawn, and a window that the player makes smaller later must stay so. Plain
+/// data.
 class Maximising {
 public:
     /// The window is about to fill the screen (`on`), or to leave it; `now` is how it is until then.

@@ -1,4 +1,4 @@
-// How large letters, buttons and line widths are, from the number of pixels that there are.
+// The size of letters, buttons and line widths, from the number of pixels of the window.
 #pragma once
 
 #include "render/gl/image.hpp"

@@ -20,7 +20,7 @@ double secondsNow() {
     return 0.001 * static_cast<double>(SDL_GetTicks64());
 }
 
-/// epoxy aborts the program when it finds no OpenGL library, so we look before it does.
+/// epoxy aborts the program when it finds no OpenGL library, so we check for one before.
 bool openGlLibraryIsThere() {
     for (auto const* name : std::array{"libGL.so.1", "libOpenGL.so.0"}) {
         if (void* library = SDL_LoadObject(name)) {
@@ -75,7 +75,7 @@ void Window::makeCurrent() {
 }
 
 void Window::startVideo(WindowMode mode) {
-    // The program handles its own ends; SDL must not turn Ctrl-C into an event that is never read.
+    // The program handles signals itself; SDL must not turn Ctrl-C into an event that is never read.
     SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1");
     if (mode == WindowMode::Offscreen) {
         SDL_SetHintWithPriority(SDL_HINT_VIDEODRIVER, "offscreen", SDL_HINT_OVERRIDE);

@@ -73,8 +73,8 @@ public:
     /// Whole screen at the desktop's own resolution, or back, maximised if it was. Nothing happens offscreen.
     void setFullscreen(bool on);
 
-    /// Directs drawing here and clears it. Call it first in every frame, and again after drawing into a
-    /// Framebuffer of one's own with `bind` alone.
+    /// Directs drawing into this window and clears it. Call it first in every frame, and again after drawing
+    /// into a Framebuffer that was bound with `bind` alone.
     void beginFrame(Colour clear);
     void bind();
     /// Shows the drawing. Offscreen it only finishes it.

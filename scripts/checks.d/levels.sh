@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# Checks that docs/measurements/levels.md says of the first chapter what the program says, and of every level how many
-# solutions of how many kinds it has, in about a minute; the page as a whole takes many. No level may fall short of what
-# docs/solving.md expects of a puzzle: two kinds, not solved by an empty toolbox, which are computed here, and what the page
-# says of displaced and of dropped parts.
+# Checks that docs/measurements/levels.md agrees with the program on the first chapter, and on the number of solutions and
+# of their kinds for every level, in about a minute; making the whole page takes many minutes. No level may miss the
+# requirements of docs/solving.md for a puzzle: two kinds of solution and none with an empty toolbox, which are computed
+# here, and the results for displaced and dropped parts, which are read from the page.
 set -euo pipefail
 if [[ ! -x build/trembler ]]; then
     echo "build/trembler has not been built"

@@ -21,7 +21,7 @@ fail() {
     exit 1
 }
 
-# gzip packs in a tenth of the time of xz, which a package for players has.
+# gzip packs in a tenth of the time of xz, which the released package uses.
 cpack --config build/CPackConfig.cmake -G DEB -B "$work" -D CPACK_DEBIAN_COMPRESSION_TYPE=gzip >"$work/log" 2>&1 ||
     fail "$(cat "$work/log")"
 deb=$(find "$work" -maxdepth 1 -name '*.deb')
@@ -49,7 +49,7 @@ for folder in assets levels mods; do
     diff -r "$folder" "$tree/usr/share/trembler/$folder" || fail "$folder is not what is installed"
 done
 if command -v lintian >/dev/null; then
-    lintian --allow-root --fail-on error,warning "$deb" # packaging/lintian-overrides says what is meant
+    lintian --allow-root --fail-on error,warning "$deb" # packaging/lintian-overrides lists the intended exceptions
 fi
 
 # --- what the program does -----------------------------------------------------------------------------------------------
@@ -57,7 +57,7 @@ fi
 export HOME=$work/home SDL_VIDEODRIVER=offscreen SDL_AUDIODRIVER=dummy LIBGL_ALWAYS_SOFTWARE=1 LP_NUM_THREADS=0
 mkdir "$HOME"
 unset DISPLAY WAYLAND_DISPLAY TREMBLER_HOME XDG_DATA_HOME
-# Where it is allowed, the source tree is hidden; elsewhere the level that only the unpacked tree has must do.
+# Hides the source tree where that is allowed; elsewhere a level that only the unpacked tree contains must be enough.
 hidden=(env "source=$PWD")
 # shellcheck disable=SC2016 # expanded by the inner shell
 if unshare --user --map-root-user --mount true 2>/dev/null; then

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Plays in a window on a screen, as players have it, where other tests draw into a picture: with the mouse, with the
-# keyboard, with a gamepad, and while the window changes its size. The screen is one of Xvfb's, which nobody sees.
+# Plays in a window on a screen, as players do, where other tests draw into a picture: with the mouse, with the keyboard,
+# with a gamepad, and while the window changes its size. The screen is a virtual one of Xvfb.
 set -euo pipefail
 program=build/tests/test_game_ui # the newer one: ./check builds that of the stage asan, ./check --fast the other
 if [[ build-asan/tests/test_game_ui -nt $program ]]; then
@@ -15,7 +15,7 @@ if ! command -v Xvfb >/dev/null; then
     exit 77
 fi
 work=$(mktemp -d)
-# It chooses a number that is free, and prints it once it can be used.
+# Xvfb chooses a free display number, and prints it once the display can be used.
 Xvfb -displayfd 3 -screen 0 3840x2400x24 -nolisten tcp -noreset 3>"$work/display" >"$work/log" 2>&1 &
 server=$!
 trap 'kill "$server" 2>/dev/null || true; rm -rf "$work"' EXIT

@@ -1,4 +1,4 @@
-// The laboratory door of section 1.1: a magnetic lock holds it against whoever pushes; a switch opens it.
+// The laboratory door of section 1.1: a magnetic lock keeps it shut; a switch opens it.
 #include "tests/conventional/scene.hpp"
 
 #include <algorithm>
@@ -34,7 +34,7 @@ bool opens(Statement const& statement, Setting const& setting) {
     return false;
 }
 
-// ---- How it would be scripted
+// ---- The conventional scripts
 
 EventScript lock(double strength) {
     return {EventScript::On::update, "", "", [strength](Game& game, std::string const&) {
@@ -67,7 +67,7 @@ ScriptSet withAlternatives(Setting const& setting) {
     return scripts;
 }
 
-// And tools across the contacts, a switch that never closed, a source that is gone, other doors and magnets.
+// Also tools across the contacts, a switch that never closed, a missing source, other doors and magnets.
 ScriptSet withEverything(Setting const& setting) {
     ScriptSet scripts = onEveryCut(setting, "unlocked");
     auto const check = [](Game& game, std::string const&) {
@@ -153,7 +153,7 @@ public:
             {"the main fuse removed, nobody touches the switch",
              [hands](Setting& setting, Random& random) {
                  hands(setting);
-                 std::erase_if(setting.cuts, [](Setting::Cut const& cut) { // no wire is left there to be cut
+                 std::erase_if(setting.cuts, [](Setting::Cut const& cut) { // there is no wire left to cut
                      return cut.a == "main fuse" || cut.b == "main fuse";
                  });
                  if (find(setting, "main fuse") != nullptr) {

@@ -9,7 +9,7 @@ namespace trembler::conventional {
 namespace doorbell_scene { // other scenes have functions of these names, too
 namespace {
 
-constexpr std::size_t ringsOn = 3; // strikes: the bell rings on and on
+constexpr std::size_t ringsOn = 3; // strikes: the bell keeps ringing
 
 Vec2 turnedAbout(Vec2 hinge, Vec2 point, double angle) {
     return hinge + rotated(point, angle);
@@ -28,7 +28,7 @@ Vec2 centreOf(Shape const& shape) {
     return 1 / area * sum;
 }
 
-/// The four things that a trembler needs.
+/// The four conditions for a trembler to ring.
 bool ringsOnAndOn(Statement const& statement, std::uint64_t at) {
     Facts const& facts = statement.facts();
     if (!facts.contains("bell") || !facts.contains("striker")) {
@@ -47,7 +47,7 @@ bool ringsOnAndOn(Statement const& statement, std::uint64_t at) {
     if (!(cross(centre - hinge, force) > 0)) {
         return false;
     }
-    // 3. Nothing is in its way to the bell.
+    // 3. Nothing blocks its way to the bell.
     double const degree = 3.14159265358979 / 180;
     Statement::Moved moved;
     bool reached = false;
@@ -69,13 +69,13 @@ bool ringsOnAndOn(Statement const& statement, std::uint64_t at) {
     return reached && !statement.inCircuit("electromagnet", at, moved);
 }
 
-// ---- How it would be scripted
+// ---- The conventional scripts
 
 ScriptSet asSpecified(Setting const&) {
     return {{EventScript::On::collision, "switch", "", [](Game& game, std::string const&) {
                  if (game.touching("switch", "object 1") && game.touching("switch", "object 2")) {
                      for (std::size_t i = 0; i < ringsOn; ++i) {
-                         game.ring(); // the sample is one of a bell that rings on
+                         game.ring(); // the sample is of a bell that keeps ringing
                      }
                  }
              }}};
@@ -111,7 +111,7 @@ ScriptSet withAlternatives(Setting const&) {
              }}};
 }
 
-// And any conductor for the switch, wires, what sits on the contact, the striker's material, the magnet's
+// Also any conductor for the switch, wires, an object on the contact, the striker's material, the magnet's
 // strength.
 ScriptSet withEverything(Setting const& setting) {
     ScriptSet scripts = onEveryCut(setting, "dead");
@@ -167,7 +167,7 @@ public:
     }
     std::string right(Setting const& setting, Facts const& facts, Film const& bodies) const override {
         Statement const statement(facts, setting, bodies);
-        // Once all has come to rest; what the player does comes later, or at once.
+        // After everything has come to rest; the player acts later, or at once.
         return ringsOnAndOn(statement, 180) ? "rings on" : "does not ring on";
     }
     std::vector<Effort> efforts() const override {

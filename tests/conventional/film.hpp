@@ -1,4 +1,4 @@
-// A record of a world: where everything was in every frame.
+// A record of a world: the places of all objects in every frame.
 #pragma once
 
 #include "tests/conventional/geometry.hpp"
@@ -18,7 +18,7 @@ class World;
 
 namespace trembler::conventional {
 
-/// A perturbed scene: a level, and what is done to it while it runs.
+/// A perturbed scene: a level, and the player's inputs while it runs.
 struct Setting {
     nlohmann::json level{}; ///< without solutions
     nlohmann::json inputs =
@@ -29,10 +29,10 @@ struct Setting {
         std::string b{};
     };
     std::vector<Cut> cuts{};
-    std::vector<std::string> kinds{}; ///< how it was perturbed
+    std::vector<std::string> kinds{}; ///< kinds of its perturbations
 };
 
-/// What a level states of an object, as data: what the independent statement works with.
+/// The statements of a level about an object, as data: the input of the independent statement.
 struct Fact {
     Shape shape{};
     bool fixed = false;
@@ -46,7 +46,7 @@ struct Fact {
     std::vector<Vec2> poles{}; ///< m, in the frame of the object
     double motorTorque = 0;    ///< N m
     Pose start{};
-    std::string part{}; ///< which it was made from; empty: none
+    std::string part{}; ///< the part from which it was made; empty: none
 };
 using Facts = std::map<std::string, Fact>;
 
@@ -55,12 +55,12 @@ struct Film {
     std::vector<std::uint64_t> hits;                ///< frames in which the pair to be watched began to touch
     std::vector<std::uint64_t> rings;               ///< frames in which a script played the sound of the bell
     std::set<std::string> on;                       ///< devices that are on at the end
-    std::set<std::string> joints;                   ///< that exist at the end
+    std::set<std::string> joints;                   ///< the joints that exist at the end
 
     [[nodiscard]] Pose end(std::string const& name) const;
 };
 
-/// Which of a world's effects a run is to have.
+/// Which of a world's effects take part in a run.
 enum class Kind {
     physical,     ///< all
     bodies,       ///< rigid bodies and their weight

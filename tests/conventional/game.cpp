@@ -15,7 +15,7 @@ std::pair<std::string, std::string> inOrder(std::string const& a, std::string co
 
 } // namespace
 
-/// Runs scripts: it is to Dynamics an interaction like any other.
+/// Runs scripts: an interaction with Dynamics like any other.
 class ScriptRunner final : public Interaction<ScriptRunner, DynamicsRole,
                                               Reads<Name, Contacts, Position, Rotation, Velocity, Mass>> {
 public:

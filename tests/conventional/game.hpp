@@ -1,4 +1,4 @@
-// A game engine as they are: rigid bodies, and scripts that are attached to events of objects.
+// A conventional game engine: rigid bodies, and scripts that are attached to events of objects.
 #pragma once
 
 #include "runtime/world/registry.hpp"
@@ -10,7 +10,7 @@
 
 namespace trembler::conventional {
 
-/// What scripts see of the game. All names are those of objects.
+/// The part of the game that scripts can use. All names are those of objects.
 class Game {
 public:
     [[nodiscard]] bool exists(std::string const& name) const;
@@ -18,7 +18,7 @@ public:
     [[nodiscard]] double angle(std::string const& name) const; ///< rad
     [[nodiscard]] Vec2 velocity(std::string const& name) const;
     [[nodiscard]] bool touching(std::string const& a, std::string const& b) const;
-    /// All that touch an object.
+    /// All objects that touch an object.
     [[nodiscard]] std::vector<std::string> touched(std::string const& name) const;
     /// From which prefab an object was made; empty if from none.
     [[nodiscard]] std::string prefab(std::string const& name) const;
@@ -63,7 +63,7 @@ struct EventScript {
 };
 using ScriptSet = std::vector<EventScript>;
 
-/// Adds the component that runs the scripts, as the last interaction. `game` holds what they did.
+/// Adds the component that runs the scripts, as the last interaction. `game` records their effects.
 void registerScripts(Registry& registry, ScriptSet const& scripts, Setting const& setting,
                      std::shared_ptr<Game> const& game);
 

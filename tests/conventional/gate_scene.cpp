@@ -18,7 +18,7 @@ std::string described(bool free, bool alarm) {
 
 bool wayIsFree(Statement const& statement, Film const& bodies) {
     if (!bodies.joints.contains("rail")) {
-        return true; // rammed; what rigid bodies do is not in question
+        return true; // rammed: the motion of rigid bodies is not tested
     }
     Fact const& gate = statement.facts().at("gate");
     Fact const& wheel = statement.facts().at("wheel");
@@ -40,7 +40,7 @@ bool wayIsFree(Statement const& statement, Film const& bodies) {
     return true;
 }
 
-// ---- How it would be scripted
+// ---- The conventional scripts
 
 EventScript machinery(double force) {
     return {EventScript::On::update, "", "", [force](Game& game, std::string const&) {
@@ -62,7 +62,7 @@ ScriptSet asSpecified(Setting const&) {
             machinery(hoist)};
 }
 
-// The alternatives of 3.1: another metal object, a portable generator. (The truck is rigid bodies alone.)
+// The alternatives of 3.1: another metal object, a portable generator. (The truck needs rigid bodies only.)
 ScriptSet withAlternatives(Setting const& setting) {
     auto const check = [](Game& game, std::string const&) {
         game.flags["power"] = 0;
@@ -88,7 +88,7 @@ ScriptSet withAlternatives(Setting const& setting) {
     return scripts;
 }
 
-// And each wire with what hangs on it, the generator's absence, and other motors.
+// Also each wire with the devices on it, a missing generator, and other motors.
 ScriptSet withEverything(Setting const& setting) {
     ScriptSet scripts;
     for (auto const& wire : setting.level.at("connections")) {

@@ -1,4 +1,4 @@
-// Distances between bodies by comparing every edge with every edge: slow, short, and without any code of the
+// Distances between bodies by comparing every edge with every edge: slow, short, and without code of the
 // engines.
 #pragma once
 

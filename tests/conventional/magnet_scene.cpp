@@ -1,4 +1,4 @@
-// Experiment I: a switch, an electromagnet, and what it lifts.
+// Experiment I: a switch, an electromagnet, and the object that it lifts.
 #include "tests/conventional/scene.hpp"
 
 #include <algorithm>
@@ -10,16 +10,16 @@ namespace {
 
 constexpr double liftedBy = 0.5; // m
 
-/// The object under the magnet: the one of the level, or another that stands in its place.
+/// The object under the magnet: the one of the level, or its replacement.
 std::string loadIn(Facts const& facts) {
     return facts.contains("metal object") ? "metal object" : "other object";
 }
 
-/// Follows a point with the mass of the load, on a floor, under the magnets and its weight; by its own small
-/// steps. A ball rolls, so half of its mass more resists motion along the floor; what cannot roll slides
-/// where the force along the floor exceeds half of the pressure on it.
+/// Follows a point with the mass of the load on a floor, under the magnets' forces and its weight, in small
+/// steps of its own. A ball rolls, so half of its mass more resists motion along the floor; any other load
+/// slides where the force along the floor exceeds half of its pressure on the floor.
 bool isHeldUpAtTheEnd(Statement const& statement, std::string const& load) {
-    constexpr std::uint64_t every = 5; // frames: so often is the circuit looked at
+    constexpr std::uint64_t every = 5; // frames between two evaluations of the circuit
     constexpr int steps = 20;          // per frame
     Fact const& fact = statement.facts().at(load);
     if (!(fact.susceptibility > 0)) {
@@ -68,7 +68,7 @@ bool isHeldUpAtTheEnd(Statement const& statement, std::string const& load) {
     return at.y > floor + liftedBy;
 }
 
-// ---- How it would be scripted
+// ---- The conventional scripts
 
 void pushLoads(Game& game, double force, std::vector<std::string> const& loads) {
     for (std::string const& load : loads) {
@@ -123,7 +123,7 @@ ScriptSet withAlternatives(Setting const& setting) {
     return scripts;
 }
 
-// And a pull that falls off with the distance, designers' numbers of strength, and magnets that are brought
+// Also a pull that falls off with the distance, strengths chosen by designers, and magnets that are brought
 // in.
 ScriptSet withEverything(Setting const& setting) {
     ScriptSet scripts = withAlternatives(setting);

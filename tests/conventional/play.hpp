@@ -1,4 +1,4 @@
-// Runs a perturbed scene: with all of physics, with nothing but rigid bodies, or with scripts.
+// Runs a perturbed scene: with all of physics, with rigid bodies only, or with scripts.
 #pragma once
 
 #include "puzzle/data/game_data.hpp"
@@ -14,13 +14,13 @@ public:
 
     struct Watch {
         std::uint64_t frames = 600;
-        std::pair<std::string, std::string> pair{}; ///< whose contacts are counted
-        std::vector<std::string> devices{};         ///< which are on at the end?
+        std::pair<std::string, std::string> pair{}; ///< the two objects whose contacts are counted
+        std::vector<std::string> devices{};         ///< checked at the end for being on
     };
     /// Throws InputError if the level is wrong.
     [[nodiscard]] Film play(Setting const& setting, Kind kind, Watch const& watch,
                             ScriptSet const& scripts = {}) const;
-    /// What the scene states of its objects, parts and defaults included.
+    /// The scene's statements about its objects, parts and defaults included.
     [[nodiscard]] Facts factsOf(Setting const& setting) const;
     [[nodiscard]] nlohmann::json levelOf(std::string const& file) const; ///< relative to the repository
 

@@ -67,7 +67,7 @@ void takeAway(Setting& setting, std::string const& name) {
                   objects.end());
     removeWires(setting, name);
     auto& inputs = setting.inputs;
-    bool holds = false; // moves belong to the last grab
+    bool holds = false; // a move belongs to the grab before it
     nlohmann::json kept = nlohmann::json::array();
     for (nlohmann::json const& input : inputs) {
         if (input.contains("grab")) {

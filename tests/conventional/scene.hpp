@@ -10,7 +10,7 @@
 
 namespace trembler::conventional {
 
-/// A conventional implementation, of more or less effort.
+/// A conventional implementation, with a stated effort.
 struct Effort {
     std::string title;
     std::function<ScriptSet(Setting const&)> scripts;
@@ -26,13 +26,13 @@ class Scene {
 public:
     virtual ~Scene() = default;
     [[nodiscard]] virtual std::string title() const = 0;
-    /// As the thesis describes it.
+    /// The scene as the thesis describes it.
     [[nodiscard]] virtual Setting asDescribed(Stage const& stage) const = 0;
     [[nodiscard]] virtual std::vector<Perturbation> perturbations() const = 0;
     [[nodiscard]] virtual Stage::Watch watch() const = 0;
-    /// What came of it, in a word or two; of a run with all of physics, or with scripts.
+    /// The outcome, in a word or two; of a run with all of physics, or with scripts.
     [[nodiscard]] virtual std::string outcome(Film const& film, bool scripted) const = 0;
-    /// What should come of it. `bodies` is a run with nothing but rigid bodies.
+    /// The right outcome. `bodies` is a run with rigid bodies only.
     [[nodiscard]] virtual std::string right(Setting const& setting, Facts const& facts,
                                             Film const& bodies) const = 0;
     [[nodiscard]] virtual std::vector<Effort> efforts() const = 0;
@@ -44,7 +44,7 @@ public:
 [[nodiscard]] std::unique_ptr<Scene> doorScene();
 [[nodiscard]] std::unique_ptr<Scene> gateScene();
 
-/// A scene with one perturbation, or two of different kinds. The same for the same number.
+/// A scene with one perturbation, or two of different kinds. The same number gives the same perturbations.
 [[nodiscard]] Setting perturbed(Scene const& scene, Stage const& stage, std::uint64_t number);
 
 /// Parts that may lie across two contacts; the last one does not conduct.
@@ -55,11 +55,11 @@ public:
 nlohmann::json* find(Setting& setting, std::string const& name);
 void shift(Setting& setting, std::string const& name, double x, double y, double degrees);
 void takeAway(Setting& setting, std::string const& name);
-// Removes the connections of an object that stays: what is no conductor can have none.
+// Removes the connections of an object that stays, as only conductors can have connections.
 void removeWires(Setting& setting, std::string const& name);
 void add(Setting& setting, std::string const& name, std::string const& part, Vec2 at, double degrees = 0,
          nlohmann::json properties = nlohmann::json::object());
-/// The player lifts an object from where it is held, from a frame on.
+/// The player lifts an object, held at its place, from a frame on.
 void lift(Setting& setting, std::string const& name, Vec2 at, int frame);
 /// Cuts one of the wires, in a frame of the range.
 void cutAny(Setting& setting, Random& random, int first, int last);

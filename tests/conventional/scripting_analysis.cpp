@@ -1,6 +1,6 @@
-// Prints docs/scripting-analysis.md with its tables made again: scripting_analysis PAGE [--times]
-// [--interactions]. Without --times, which depends on the machine, the table of times stays as it is; with
-// --interactions, those of the conventional scenes do, which take longest.
+// Prints docs/scripting-analysis.md with its tables computed again: scripting_analysis PAGE [--times]
+// [--interactions]. Without --times, the table of times stays as it is, as it depends on the machine; with
+// --interactions, so do the tables of the conventional scenes, which take longest.
 #include "tests/conventional/trials.hpp"
 #include "tests/lua/analysis/interaction_tables.hpp"
 
@@ -42,7 +42,7 @@ int main(int count, char** arguments) try {
     std::ifstream file(stated.front());
     std::string page{std::istreambuf_iterator<char>(file), {}};
     std::string probe = page;
-    put(probe, "first", ""); // refuses another page at once, and not after minutes of plays
+    put(probe, "first", ""); // rejects any other page at once, not after minutes of plays
     GameData const data;
     auto const compared = lua::analysis::compareAll(data, lua::analysis::comparedLevels(data), 100'000);
     for (auto const& comparison : compared) {

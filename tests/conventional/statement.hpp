@@ -7,16 +7,16 @@
 
 namespace trembler::conventional {
 
-/// What is closer touches, in m. Resting bodies keep a gap of this order.
+/// Objects with a smaller gap touch, in m. Resting bodies keep a gap of this order.
 inline constexpr double touchingGap = 0.012;
 
-/// A scene as it is in some frame. Rigid bodies are taken from a run without any other physics.
+/// The state of a scene in a frame. Rigid bodies are taken from a run without any other physics.
 class Statement {
 public:
     Statement(Facts const& facts, Setting const& setting, Film const& bodies)
         : facts_(facts), setting_(setting), bodies_(bodies) {}
 
-    /// Where objects are put for a question, in place of where they are.
+    /// Assumed places of objects for a question, instead of their real places.
     using Moved = std::map<std::string, Pose>;
 
     [[nodiscard]] bool touching(std::string const& a, std::string const& b, std::uint64_t frame,

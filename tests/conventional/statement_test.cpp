@@ -1,4 +1,4 @@
-// The statements by which simulations are judged, compared with what can be worked out by hand.
+// The statements by which simulations are judged, compared with results worked out by hand.
 #include "tests/conventional/statement.hpp"
 
 #include <gtest/gtest.h>

@@ -22,7 +22,7 @@ Trial run(Scene const& scene, Stage const& stage, Setting const& setting) {
     return trial;
 }
 
-/// Of the trials that a function picks: how many are right by another.
+/// The share of `answer` in the trials for which `picks` is true.
 template <class Picks, class Answer>
 Share shareOf(SceneResult const& result, Picks const& picks, Answer const& answer) {
     Share share;

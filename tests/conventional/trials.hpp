@@ -1,4 +1,4 @@
-// How often the simulations, and scripts of more and more effort, are right about perturbed scenes.
+// How often the simulations, and scripts of increasing effort, are right about perturbed scenes.
 #pragma once
 
 #include "tests/conventional/scene.hpp"
@@ -21,14 +21,14 @@ struct SceneResult {
     std::vector<Trial> trials;
 };
 
-/// Runs a perturbed scene in every way. The same for the same number.
+/// Runs a perturbed scene in every way. The same number gives the same trial.
 [[nodiscard]] Trial runTrial(Scene const& scene, Stage const& stage, std::uint64_t number);
 /// The scene as it is described.
 [[nodiscard]] Trial runDescribed(Scene const& scene, Stage const& stage);
-/// The first so many perturbations of a scene.
+/// Runs the first perturbations of a scene, as many as stated.
 [[nodiscard]] SceneResult runTrials(Scene const& scene, Stage const& stage, std::uint64_t count);
 
-/// A share, and where it lies with a probability of 95 %, by Wilson's formula.
+/// A share, and its confidence interval of 95 %, by Wilson's formula.
 struct Share {
     std::size_t of = 0;
     std::size_t all = 0;
@@ -43,10 +43,10 @@ struct Share {
 [[nodiscard]] std::string kindTable(SceneResult const& result);
 /// The trials in which the simulations are wrong.
 [[nodiscard]] std::string missTable(std::vector<SceneResult> const& results);
-/// What the first so many trials of each scene came to.
+/// The outcomes of the first trials of each scene.
 [[nodiscard]] std::string firstTable(std::vector<SceneResult> const& results, std::size_t count);
 
-/// So many perturbations of each scene are run for the page, and so many by a test.
+/// Numbers of perturbations of each scene: for the page, and for a test.
 inline constexpr std::uint64_t fullCount = 200;
 inline constexpr std::uint64_t shortCount = 12;
 

@@ -1,7 +1,7 @@
 // The same bits from every compiler and every optimisation level: compares with hashes in the repository.
-// After an intended change of the simulation, or of what the state hash covers, run TREMBLER_UPDATE_GOLDEN=1
-// test_determinism, and give the reason in the commit. If only the state hash covers more, the hashes of the
-// motion must not change.
+// After an intended change of the simulation, or of the data that the state hash covers, run
+// TREMBLER_UPDATE_GOLDEN=1 test_determinism, and give the reason in the commit. If only the state hash covers
+// more, the hashes of the motion must not change.
 #include "runtime/level/read/read_level.hpp"
 #include "tests/determinism/level_runs.hpp"
 
@@ -43,7 +43,7 @@ TEST(Golden, HashesOfEveryLevelAreThoseOfTheGoldenFile) {
     std::ifstream file(goldenFile);
     ASSERT_TRUE(file) << goldenFile;
     auto const golden = nlohmann::ordered_json::parse(file);
-    // A line for each that differs: the file is long.
+    // A line for each difference: the file is long.
     for (auto const* const all : {&golden, &std::as_const(now)}) {
         for (auto const& [level, ofLevel] : all->items()) {
             for (auto const& [run, hashes] : ofLevel.items()) {

@@ -91,7 +91,7 @@ private:
     std::string call() {
         CallDescription const& made = role_->calls[bytes_.pick(role_->calls.size())];
         bool const named = bytes_.next() % 2 == 0;
-        bool const caught = bytes_.next() % 4 != 0; // so that the next ones are made, too
+        bool const caught = bytes_.next() % 4 != 0; // so that the following calls are made, too
         std::string arguments;
         for (FieldPlace const& place : made.arguments) {
             if (bytes_.next() % 16 == 0) {
@@ -113,7 +113,7 @@ private:
     }
 
     std::string argument(FieldPlace const& place) {
-        switch (bytes_.next() % 8) { // mostly right ones
+        switch (bytes_.next() % 8) { // mostly valid values
         case 0:
             return anything();
         case 1:

@@ -16,7 +16,7 @@ constexpr int mostCommands = 40;
 std::optional<LevelDocument> documentOf(std::string_view text) {
     try {
         return LevelDocument::fromText(gameData(), std::string(text), {}, {});
-    } catch (InputError const&) { // no JSON
+    } catch (InputError const&) { // not JSON
         return std::nullopt;
     }
 }
@@ -51,7 +51,7 @@ void fuzzLevelEdit(std::string_view bytes) {
     for (int i = 0; i < mostCommands && !rest.empty(); ++i) {
         try {
             document->run(anyCommand(*document, next));
-        } catch (CommandError const&) { // told the author
+        } catch (CommandError const&) { // reported to the author
             continue;
         }
     }

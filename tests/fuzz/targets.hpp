@@ -1,5 +1,5 @@
-// What is fuzzed: libFuzzer calls these with inputs that it invents, and a test calls them with the kept
-// inputs.
+// The targets of the fuzzers: libFuzzer calls these with inputs that it generates, and a test calls them with
+// the kept inputs.
 #pragma once
 
 #include <string>
@@ -7,12 +7,12 @@
 
 namespace trembler::lua {
 
-/// Takes the bytes for the text of a script: of a whole one if it says 'interaction', else of what one's
-/// apply contains. Reads it and, if nothing is wrong with it, runs it in a world beside another script.
+/// Takes the bytes for the text of a script: a whole script if it contains 'interaction', else the body of
+/// apply. Reads it and, if it is valid, runs it in a world beside another script.
 void fuzzScriptText(std::string_view bytes);
 
-/// Makes a script out of the bytes that calls functions of a resolver with arguments of all kinds, right and
-/// wrong ones, for objects that live or are gone, and runs it in a world.
+/// Makes a script out of the bytes that calls functions of a resolver with arguments of all kinds, valid and
+/// invalid ones, for objects that exist or no longer do, and runs it in a world.
 void fuzzCallArguments(std::string_view bytes);
 /// The script that fuzzCallArguments() makes.
 [[nodiscard]] std::string scriptOfCalls(std::string_view bytes);
@@ -28,8 +28,8 @@ void fuzzLevelEdit(std::string_view bytes);
 
 } // namespace trembler::edit
 
-/// Each takes the bytes for a file, and throws std::logic_error if something is not as it must be. What is
-/// wrong with the file must be told in words.
+/// Each takes the bytes for a file, and throws std::logic_error if a requirement is violated. Errors in the
+/// file must be reported in words.
 namespace trembler::files {
 
 /// A level: read, and run on one and two threads.

@@ -1,5 +1,4 @@
-// Electric wires beside another effect's pipes in one level: each connection is given to the effect that owns
-// it.
+// Electric wires beside another effect's pipes in one level: each connection goes to the effect that owns it.
 #include "physics/electricity/properties/electrical.hpp"
 #include "physics/electricity/properties/graph.hpp"
 #include "physics/register_physics.hpp"

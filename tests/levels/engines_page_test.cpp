@@ -88,8 +88,7 @@ TEST_F(EnginesPage, StatesTheFramesInWhichSolutionsSolve) {
     EXPECT_GE(rows, 8U);
 }
 
-// A hundred thousand frames of each level take minutes; its first ten seconds tell whether it has changed
-// since.
+// A hundred thousand frames of each level take minutes; its first ten seconds show whether it has changed.
 TEST_F(EnginesPage, OfHardCasesIsAboutThePresentLevels) {
     std::map<std::string, std::string> stated;
     for (std::string const& line : linesOf("measurements/stability.md")) {

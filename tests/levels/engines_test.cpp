@@ -31,7 +31,7 @@ struct OnEngine {
     std::string level;
 };
 
-/// Only looks at the JSON: this is asked for each level in each process of this program.
+/// Reads only the JSON, as every process of this program does this for every level.
 bool statesItsEngine(std::filesystem::path const& level) {
     std::ifstream file(level);
     nlohmann::json const read = nlohmann::json::parse(file);

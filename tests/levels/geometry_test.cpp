@@ -1,4 +1,4 @@
-// Every property says what its vectors and angles are in space, so that any object can be mirrored.
+// Every property states the geometry of its vectors and angles, so that any object can be mirrored.
 #include "lua/attach/register.hpp"
 #include "puzzle/data/effects.hpp"
 #include "runtime/level/property/field_outline.hpp"
@@ -64,7 +64,7 @@ TEST(Geometry, IsStatedByEveryVectorAndEveryAngleThatALevelCanState) {
     std::size_t seen = 0;
     for (PropertyInfo const* const info : registry.objectProperties()) {
         if (info->text.place == PropertyPlace::hidden) {
-            continue; // arises from others when the world starts
+            continue; // added from other properties when the world starts
         }
         std::size_t variants = 1;
         for (std::size_t i = 0; i < variants; ++i) {

@@ -1,4 +1,4 @@
-// Common to the tests of levels: the registry of all effects, the parts, and a small level.
+// Shared by the tests of levels: the registry of all effects, the parts, and a small level.
 #pragma once
 
 #include "runtime/level/build/build_world.hpp"

@@ -1,4 +1,4 @@
-// What the mechanical parts do, compared with the laws of mechanics.
+// The behaviour of the mechanical parts, compared with the laws of mechanics.
 #include "tests/levels/part_trial.hpp"
 
 #include <gtest/gtest.h>

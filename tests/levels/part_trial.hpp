@@ -1,4 +1,4 @@
-// A small world of parts, written in a line or two, for tests of what the parts do.
+// A small world of parts, written in a line or two, for tests of the parts' behaviour.
 #pragma once
 
 #include "physics/dynamics/properties/body.hpp"

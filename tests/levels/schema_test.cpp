@@ -121,7 +121,7 @@ std::pair<bool, bool> acceptedWith(char const* pointer, nlohmann::json const& va
     return {validate(levelSchema(levelKit().registry), level).empty(), read};
 }
 
-// Limits that no single list has.
+// Limits of the total over several lists.
 TEST(Schema, SaysHowMuchThereMayBeInAll) {
     nlohmann::json const schema = levelSchema(levelKit().registry);
     auto const says = [&](char const* pointer, std::size_t limit) {

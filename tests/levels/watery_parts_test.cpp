@@ -1,4 +1,4 @@
-// What the parts do in water and in air, compared with Archimedes' principle.
+// The behaviour of the parts in water and in air, compared with Archimedes' principle.
 #include "tests/levels/part_trial.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// What a drawing may hold: limits, colours, and clear messages for everything else.
+// The values that a drawing may contain: limits, colours, and clear messages for everything else.
 #include "physics/drawing.hpp"
 #include "physics/drawing_palette.hpp"
 #include "physics/register_physics.hpp"

@@ -1,4 +1,4 @@
-// Common to the drawing tests: one offscreen window for the whole program, and folders for the pictures.
+// Shared by the drawing tests: one offscreen window for the whole program, and folders for the pictures.
 #pragma once
 
 #include "render/draw/canvas.hpp"
@@ -13,7 +13,8 @@
 
 namespace trembler::render::test {
 
-/// Opened on first use and kept: a context costs a tenth of a second and SDL likes one window at a time.
+/// Opened on first use and kept: a context costs a tenth of a second and SDL works best with one window at a
+/// time.
 inline Window& window() {
     static Window theWindow({.size = {640, 480}, .mode = WindowMode::Offscreen});
     return theWindow;
@@ -48,7 +49,7 @@ inline std::filesystem::path pictureFolder() {
     return folder;
 }
 
-/// For people to look at, below pictureFolder(), if TREMBLER_PICTURES is in the environment: packing a
+/// Writes a picture for people below pictureFolder(), if TREMBLER_PICTURES is in the environment: packing a
 /// picture takes longer than drawing it.
 inline void keepForPeople(Image const& image, std::string const& name) {
     if (std::getenv("TREMBLER_PICTURES") != nullptr) {

@@ -1,5 +1,5 @@
-// Common base of the tests of the thesis's experiments: plays a level with a recorded solution and finds
-// objects by name.
+// The base of the tests of the thesis's experiments: plays a level with a recorded solution and finds objects
+// by name.
 #pragma once
 
 #include "physics/dynamics/properties/contacts.hpp"

@@ -92,7 +92,7 @@ std::string makeAcceptable(Json level, Json const& schema) {
                     return Json{{"level", level}, {"fault", "refused without a place: " + diagnostic.print()}}
                         .dump();
                 }
-                if (diagnostic.file == "random.json") { // and not a part's
+                if (diagnostic.file == "random.json") { // and not a part's file
                     paths.push_back(diagnostic.path);
                 }
             }

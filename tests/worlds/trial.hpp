@@ -44,8 +44,8 @@ struct Outcome {
     std::vector<Failure> failures;
 };
 
-/// Reads a level, takes away what is refused (a refusal must name a place) until it is accepted, and runs it
-/// on every engine and number of threads, with its first solution if it has one. A failure is: a signal, an
+/// Reads a level, removes refused values (a refusal must name a place) until it is accepted, and runs it on
+/// every engine and number of threads, with its first solution if it has one. A failure is: a signal, an
 /// exception that is no refusal of the file, a number in any property (those of objects, resolver and derived
 /// properties) that is not finite, state hashes that depend on threads, too much processor time, a file that
 /// the schema refuses but the reader accepts.

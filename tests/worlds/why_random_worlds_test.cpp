@@ -1,4 +1,4 @@
-// In any world, a cause that is reported as confirmed is one: without it, what was asked about does not
+// In any world, a cause that is reported as confirmed is one: without it, the event in question does not
 // happen. And no effect is reported before its cause.
 #include "insight/why/answer.hpp"
 #include "insight/why/runs/candidates.hpp"
@@ -23,7 +23,7 @@ namespace {
 
 constexpr std::uint64_t watchedFrames = 60;
 
-/// The level without goals and without what the reader rejects; nothing if too much of it is wrong.
+/// The level without goals and without the values that the reader rejects; nothing if too many are rejected.
 std::optional<LevelFile> readable(nlohmann::json level) {
     for (char const* const key : {"goals", "task", "solutions", "hints", "teaching", "texts"}) {
         level.erase(key);
@@ -37,7 +37,7 @@ std::optional<LevelFile> readable(nlohmann::json level) {
         } catch (InputError const& error) {
             std::vector<std::string> paths;
             for (Diagnostic const& diagnostic : error.diagnostics()) {
-                if (diagnostic.file == "random world") { // and not a part's
+                if (diagnostic.file == "random world") { // and not a part's file
                     paths.push_back(diagnostic.path);
                 }
             }
@@ -49,7 +49,7 @@ std::optional<LevelFile> readable(nlohmann::json level) {
             for (std::string const& path : paths) { // later entries of a list first
                 less = worlds::takeAway(level, path) || less;
             }
-            for (nlohmann::json& object : level["objects"]) { // what is wrong is in a part
+            for (nlohmann::json& object : level["objects"]) { // the error is in a part
                 less = less || object.erase("part") > 0;
             }
             if (!less) {
@@ -77,8 +77,8 @@ void traced(LevelRuns const& runs, Variation const& variation, std::uint64_t fra
     ASSERT_FALSE(result.fault) << *result.fault;
 }
 
-/// A run by hand, drawn from a seed: some parts (each once, so that no name depends on another placement), a
-/// wire, a push and a cut. Whatever the level does not take is left out of it.
+/// A random run by hand, from a seed: some parts (each once, so that no name depends on another placement), a
+/// wire, a push and a cut. Inputs that the level does not accept are left out of it.
 Solution drawnSolution(LevelFile& level, std::uint64_t seed) {
     std::mt19937_64 random(seed);
     auto const among = [&](std::size_t count) { return static_cast<std::size_t>(random() % count); };
@@ -137,7 +137,8 @@ Solution drawnSolution(LevelFile& level, std::uint64_t seed) {
     return solution;
 }
 
-/// How to run without a step that is a contact from its pair's first touch on, or a deed; nothing for others.
+/// The changes for a run without a step, which is a contact (from the pair's first touch on) or an action;
+/// nothing for other steps.
 std::vector<LeftOut> withoutStep(Step const& step, SceneFacts const& facts, Solution const& solution) {
     switch (step.kind) {
     case StepKind::contact: {
@@ -162,8 +163,8 @@ std::vector<LeftOut> withoutStep(Step const& step, SceneFacts const& facts, Solu
 
 using CheckedKinds = std::map<StepKind, int>;
 
-/// Asks about the last thing of a kind that happened, and runs without each confirmed cause. Counts the
-/// steps of each kind without which it ran.
+/// Asks about the last event of a kind, and runs without each confirmed cause. Counts the steps of each kind
+/// that were left out.
 void expectTrueCauses(LevelRuns const& runs, Solution const& solution, CheckedKinds& checked) {
     std::uint64_t number = 0;
     traced(runs, {solution}, watchedFrames, [&](std::span<Event const> events) {
@@ -176,7 +177,7 @@ void expectTrueCauses(LevelRuns const& runs, Solution const& solution, CheckedKi
         }
     });
     if (number == 0) {
-        return; // nothing touches anything
+        return; // there are no such events
     }
     AskOptions options;
     options.frames = watchedFrames;
@@ -200,7 +201,7 @@ void expectTrueCauses(LevelRuns const& runs, Solution const& solution, CheckedKi
             EXPECT_TRUE(one.proof == Proof::confirmed || one.proof == Proof::together)
                 << "neither the trace nor a run connects it: " << one.step.what;
         }
-        // What is no candidate is confirmed by what it follows from, see docs/why.md.
+        // A step that is no candidate is confirmed by its causes, see docs/why.md.
         bool const candidate = !one.step.bridge && !isGranted(one.step, answer.facts);
         if (one.proof != Proof::confirmed || i + 1 == answer.chain.size() || !candidate) {
             continue;
@@ -240,7 +241,7 @@ TEST_P(WhyInRandomWorlds, ConfirmedCausesAreCauses) {
 
 INSTANTIATE_TEST_SUITE_P(Of, WhyInRandomWorlds, testing::Range<std::uint64_t>(0, 12));
 
-// The same of what a player did: placed parts, among them magnets, a wire, a push and a cut.
+// The same for actions of a player: placed parts, among them magnets, a wire, a push and a cut.
 TEST(WhyInRandomRuns, ConfirmedDeedsAreCauses) {
     CheckedKinds checked;
     std::uint64_t const end = test::underSanitizer ? 103 : 112;

@@ -15,7 +15,7 @@
 namespace trembler::lua {
 namespace {
 
-// Comparing a word with all known ones takes as long as so many instructions.
+// Comparing a word with all known ones takes as long as this many instructions.
 constexpr double chargePerSuggestion = 3000;
 
 double angleAt(lua_State* L) {
@@ -96,7 +96,7 @@ std::string Sandbox::Functions::part(lua_State* L, int index) {
         of(L).raise(
             L, fmt::format("a {} cannot be joined to a text; tostring() makes it one", kindOf(L, index)));
     }
-    lua_pushvalue(L, index); // which a number is converted in
+    lua_pushvalue(L, index); // a copy, as lua_tolstring() converts a number in its place
     std::size_t size = 0;
     char const* const text = lua_tolstring(L, -1, &size);
     std::string copy(text, size);

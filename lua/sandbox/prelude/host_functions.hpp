@@ -9,8 +9,8 @@
 
 namespace trembler::lua {
 
-// None of these has an object with a destructor on its stack when it calls a function that may raise an
-// error, but for short strings, which Lua's errors unwind on the platforms that it is built for.
+// None of these holds an object with a destructor while it calls a function that may raise an error, except
+// short strings, which Lua's errors unwind on the platforms that it is built for.
 struct Sandbox::Functions {
     // The fields of the table `host`, the argument of the prelude.
     static luaL_Reg const all[];
@@ -31,7 +31,7 @@ struct Sandbox::Functions {
     static int exp(lua_State* L);
     static int logE(lua_State* L);
 
-    /// Where a counter in a text is below zero: raises the error of the limit.
+    /// Raises the error of the limit; called where a counter in a text is below zero.
     static int over(lua_State* L);
     /// Calls the Body to which its argument, a light userdata, points.
     static int body(lua_State* L);

@@ -17,18 +17,18 @@ public:
     /// The tokens must outlive it.
     explicit Assignments(Tokens const& tokens) : tokens_(tokens) {}
 
-    /// At a '=' outside of a table's constructor: which variables and fields stand before it?
+    /// At a '=' outside of a table's constructor: adds the variables and fields that stand before it.
     void findAt(std::size_t equals);
     /// A field that is assigned to in another way.
     void addField() { fields_ = true; }
     /// A name that is assigned to in another way.
     void addName(std::string_view name) { names_.emplace(name); }
-    /// A parameter of a function; `itself`: by the name 'store' it is the store.
+    /// A parameter of a function; `itself`: a parameter with the name 'store' is the store.
     void addParameter(std::string_view name, bool itself) {
         storeIsItself_ = storeIsItself_ && (name != "store" || itself);
     }
 
-    /// Whether the text may assign to a field of a table that is not its own: to any but those of its store.
+    /// Whether the text may assign to fields other than those of its store.
     [[nodiscard]] bool ofFields() const {
         return fields_ || (toStore_ && !(storeIsItself_ && storeIsPlain()));
     }

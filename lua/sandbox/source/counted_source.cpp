@@ -121,7 +121,7 @@ private:
         } else if (now.text == "until") {
             std::size_t const body = blocks_.back().body;
             close({Block::repeat});
-            trailing_.push_back(body); // its condition, which ends somewhere
+            trailing_.push_back(body); // its condition, which no keyword ends
         } else if (now.text == "goto" && isName(at_ + 1) && !(at_ > 0 && token(at_ - 1).is("."))) {
             places_.push_back({now.begin, function(), true});
         }

@@ -16,8 +16,9 @@ struct VectorArguments;
 /// LuaJIT can count instructions by itself, by a hook; but compiled code checks no hook, and in interpreted
 /// code a hook costs as much as the instructions. So the text is counted: at the beginning of the body of
 /// each loop and of each function, and before each goto, it takes the length of that body off a counter and
-/// stops where the counter is below zero. Whatever a script does without passing such a place is shorter than
-/// its text. An instruction stands for two tokens of the text; a body is counted with all its branches.
+/// stops where the counter is below zero. The code that a script can run without passing such a place is
+/// shorter than its text. An instruction stands for two tokens of the text; a body is counted with all its
+/// branches.
 struct CountedSource {
     /// A chunk that is to be called with a function, which is called where the counter is below zero. It
     /// returns the script as a function with the counter, a number, as the upvalue `counterName`. Lines are
@@ -27,10 +28,10 @@ struct CountedSource {
     /// Instructions of apply, if only the host can call that function: it has no counter in it, so the host
     /// counts them. 0: it counts by itself.
     std::size_t apply = 0;
-    /// How many parameters it then has; `anyNumber`, if it takes more or is not known.
+    /// How many parameters apply then has; `anyNumber` if it takes more or the number is not known.
     std::size_t parameters = anyNumber;
-    /// Whether the script may assign to a field of a table that is not its own: to any but those of its
-    /// store. Tables can be shown to one that does not as they are, without a read-only table before them.
+    /// Whether the script may assign to fields other than those of its store. If not, tables can be shown to
+    /// it as they are, without a read-only table before them.
     bool assignsFields = false;
     /// The names to which it assigns that may not be local variables.
     std::set<std::string, std::less<>> assigned;
@@ -48,11 +49,11 @@ struct BlockFault {
     std::string message;
 };
 
-/// Puts counters into a text that faultInSource() has found nothing wrong with. A fault if blocks are not
-/// closed or closed twice, or one of the names above is used: `fault` then states it and the result is not to
-/// be used. With `loopsOnly`, functions are not counted but by their loops: for the host's own text, whose
-/// functions do not call themselves. With `vectors`, vectors that are made for a call only are handed over as
-/// two numbers (spreadVectors()) if apply can only be called by the host; they count as before.
+/// Puts counters into a text in which faultInSource() has found no fault. If blocks are not closed or closed
+/// twice, or one of the names above is used, `fault` states it and the result is not to be used. With
+/// `loopsOnly`, only loops are counted: for the host's own text, whose functions do not call themselves. With
+/// `vectors`, vectors that are made for a call only are handed over as two numbers (spreadVectors()) if apply
+/// can only be called by the host; they count as before.
 [[nodiscard]] CountedSource countSource(std::string_view text, std::optional<BlockFault>& fault,
                                         bool loopsOnly = false, VectorArguments const* vectors = nullptr);
 

@@ -6,8 +6,9 @@
 
 namespace trembler::lua {
 
-/// Walks through a text, token by token. Comments are skipped. Where LuaJIT would refuse the text, the tokens
-/// may be any; where it would not, they are its own: the instructions of a script are counted by them.
+/// Walks through a text, token by token. Comments are skipped. In a text that LuaJIT accepts, the tokens are
+/// LuaJIT's own, because the instructions of a script are counted by them; in any other text they may be
+/// different.
 class SourceScanner {
 public:
     enum class Kind {

@@ -35,7 +35,7 @@ public:
 private:
     [[nodiscard]] Token const& token(std::size_t at) const { return tokens_.token(at); }
     [[nodiscard]] bool isName(std::size_t at) const { return tokens_.isName(at); }
-    /// Whether it is that name, and no field of something.
+    /// Whether the token is that name, and not the name of a field.
     [[nodiscard]] bool isVariable(std::size_t at, std::string_view name) const {
         return token(at).is(name) && !(at > 0 && (token(at - 1).is(".") || token(at - 1).is(":")));
     }
@@ -48,7 +48,7 @@ private:
                (token(at - 1).is("local") || token(at - 1).is("for") || token(at - 1).is("function"));
     }
 
-    // It is called wherever it stands, so nothing is assigned to it, and no parameter has its name.
+    // vec2 is called wherever it stands, so nothing is assigned to it, and no parameter has its name.
     [[nodiscard]] bool makerIsTheHosts() const {
         for (std::size_t i = 0; i < tokens_.size(); ++i) {
             if (isVariable(i, maker) && (!token(i + 1).is("(") || isDeclared(i))) {
@@ -57,7 +57,7 @@ private:
         }
         return true;
     }
-    // But for the parameter itself, a field of it follows wherever it stands.
+    // Wherever `out` stands, except as the parameter itself, a field of it follows.
     [[nodiscard]] bool outIsTheParameter() const {
         std::size_t others = 0;
         for (std::size_t i = 0; i < tokens_.size(); ++i) {
@@ -101,7 +101,7 @@ private:
         return std::nullopt;
     }
 
-    /// The call whose 'out' stands at `at`.
+    /// Changes the call whose 'out' stands at `at`.
     void spreadCall(std::size_t at, std::vector<bool> const& vectors) {
         auto const stated = listAt(at + 4);
         auto const last = std::find(vectors.rbegin(), vectors.rend(), true);

@@ -27,7 +27,7 @@ struct TextEdit {
 };
 
 /// The changes that make `out.addForce(object, vec2(x, y))` into `__numbers.addForce(object, (x), (y))`, by
-/// ascending position: no table is made then, which takes longer than all else that most scripts do. `out` is
+/// ascending position: no table is made then, which takes longer than the rest of most scripts. `out` is
 /// the name of that parameter; the functions of CountedSource::numbersName take two values for each vector,
 /// and report values other than numbers as errors of the vector. Only where the text shows that `out` and
 /// `vec2` are the host's, and that all vectors of the call stand in it like that. An error is found when all

@@ -34,7 +34,7 @@ public:
     [[nodiscard]] Token const& back() const { return all_.back(); }
     [[nodiscard]] auto begin() const { return all_.begin(); }
     [[nodiscard]] auto end() const { return all_.end(); }
-    /// The token at a place; behind the last one, an empty one.
+    /// The token at a place; an empty one behind the last.
     [[nodiscard]] Token const& token(std::size_t at) const;
     /// Whether the token is a name and no keyword.
     [[nodiscard]] bool isName(std::size_t at) const;

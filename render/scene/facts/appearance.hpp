@@ -1,4 +1,4 @@
-// From the materials of things to how they are drawn.
+// How objects of each material are drawn.
 #pragma once
 
 #include "physics/look.hpp"
@@ -9,7 +9,7 @@
 
 namespace trembler::render {
 
-/// The material of a thing, in the words of the world; it is drawn with a Pattern.
+/// The material of an object, in the words of the world; it is drawn with a Pattern.
 using Substance = trembler::Material;
 
 /// Metals are bolted down and carry windings; other fixed things are hatched like the ground.

@@ -66,8 +66,8 @@ Facts gather(Find const& find) {
     return facts;
 }
 
-/// Of objects welded to bodies that turn freely about the world: the place about which they turn; empty
-/// without electricity, as only wires need it.
+/// For objects welded to bodies that turn freely about the world, the place about which the bodies turn.
+/// Empty without electricity, as only wires need it.
 std::vector<std::pair<ObjectId, Vec2 const*>> axlesOf(Store const& store) {
     std::vector<std::pair<ObjectId, Vec2 const*>> turning;
     std::vector<std::pair<ObjectId, Vec2 const*>> axles;

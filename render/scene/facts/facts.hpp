@@ -1,5 +1,4 @@
-// The properties of an object that drawing reads, whether it stands in a world or is still a part in the
-// toolbox.
+// The properties of an object that drawing reads, whether it is in a world or still a part in the toolbox.
 #pragma once
 
 #include "physics/buoyancy/properties/liquid.hpp"
@@ -21,7 +20,8 @@
 
 namespace trembler::render {
 
-/// Null or false where the object lacks the property. Pointers are valid until the world changes.
+/// Pointers are null, and flags false, where the object lacks the property. Pointers are valid until the
+/// world changes.
 struct Facts {
     ObjectId id; ///< invalid for a part that is in no world
     Position const* position = nullptr;
@@ -41,7 +41,7 @@ struct Facts {
     MadeOf const* madeOf = nullptr;
     Look const* look = nullptr;
     Drawing const* drawing = nullptr;
-    Vec2 const* axle = nullptr;    ///< where the body turns about the world that this is welded to; m
+    Vec2 const* axle = nullptr;    ///< of the body that this is welded to, if it turns about the world; m
     LookForm form = LookForm::own; ///< as stated
     Substance substance = Substance::plastic; ///< as stated, else guessed
 
@@ -49,7 +49,7 @@ struct Facts {
     [[nodiscard]] bool symbolOnly() const {
         return shape == nullptr && (source || earth || conductor || device);
     }
-    /// There is something of it to be seen at a place.
+    /// Something of it can be seen at a place.
     [[nodiscard]] bool visible() const {
         return position != nullptr && (shape != nullptr || drawing != nullptr || symbolOnly());
     }
@@ -86,10 +86,10 @@ private:
               Drawing>
         columns_;
     ElectricalState const* state_;
-    std::vector<std::pair<ObjectId, Vec2 const*>> axles_; // of conductors that are connected; by object
+    std::vector<std::pair<ObjectId, Vec2 const*>> axles_; // of connected conductors; by object
 };
 
-/// The same of a part that is not in any world; it lies at the origin unless its values say otherwise.
+/// The same for a part that is not in any world; it lies at the origin unless its values say otherwise.
 [[nodiscard]] Facts factsOf(Prototype const& prototype);
 [[nodiscard]] Facts factsOf(PropertySet const& properties);
 /// In the order of FactsReader::drawOrder(), stable.

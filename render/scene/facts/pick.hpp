@@ -6,10 +6,10 @@
 
 namespace trembler::render {
 
-/// The topmost object under a point of the world, as drawScene draws it; if there is none, the one whose edge
-/// is nearest within `tolerance` metres (the later drawn of equals); otherwise an invalid id. Exact for all
-/// shapes. Give the tolerance as a few pixels: canvas.metres(6). Reads the world; any thread while it is not
-/// stepped.
+/// The topmost object under a point of the world, as drawScene draws it. If there is none, the object whose
+/// edge is nearest within `tolerance` metres (of equally near ones the one that is drawn later); otherwise an
+/// invalid id. Exact for all shapes. State the tolerance as a few pixels: canvas.metres(6). Reads the world;
+/// may be called on any thread while the world is not stepped.
 [[nodiscard]] ObjectId pick(World const& world, Point at, double tolerance = 0);
 
 /// Distance in metres from a point of the world to the object as it is drawn; negative inside.

@@ -203,7 +203,7 @@ std::optional<std::array<Point, 2>> clipLine(std::span<Point const> convex, Poin
 }
 
 std::vector<Point> clipHalf(std::span<Point const> convex, Point at, Point normal) {
-    std::vector<Point> kept; // Sutherland and Hodgman, for one line
+    std::vector<Point> kept; // the algorithm of Sutherland and Hodgman, for one line
     for (std::size_t i = 0; i < convex.size(); ++i) {
         Point const a = convex[i];
         Point const b = convex[(i + 1) % convex.size()];

@@ -48,7 +48,7 @@ struct Extent {
 
 /// Distance in metres from a point of the object's frame to the edge, negative inside. Exact.
 [[nodiscard]] double distanceTo(ShapePiece const& piece, Point local);
-/// The least over all pieces: exact outside, and its sign is right inside. Infinite without pieces.
+/// The least distance to any piece: exact outside, and its sign is right inside. Infinite without pieces.
 [[nodiscard]] double distanceTo(Shape const& shape, Point local);
 
 /// The smallest rectangle around the shape in the world. Exact.

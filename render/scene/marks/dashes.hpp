@@ -1,4 +1,4 @@
-// Broken lines, for things that are only meant and not there.
+// Dashed lines, for outlines and connections that are not bodies.
 #pragma once
 
 #include "render/draw/canvas.hpp"

@@ -50,7 +50,8 @@ void hatch(Canvas& canvas, std::span<Point const> outline, Point origin, double 
 }
 
 void hatchShape(Canvas& canvas, Shape const& shape, Pose const& pose, float alpha) {
-    // In steps of doubling, so that zooming changes the hatching rarely and never lets it become a grey mass.
+    // The spacing doubles step by step, so that zooming changes the hatching rarely and never fills it to
+    // grey.
     double const spacing = 0.09 * std::exp2(std::ceil(std::log2(std::max(1.0, canvas.metres(7) / 0.09))));
     for (ShapePiece const& piece : shape.pieces) {
         std::vector<Point> outline = insetOutline(outlineOf(piece), canvas.metres(2));

@@ -9,8 +9,8 @@
 namespace trembler::render {
 
 /// Parallel lines inside a convex outline, both in the world; `angle` in radians, `spacing` in metres
-/// (widened where the outline would take more than some hundred lines). Lines run through the grid that
-/// `origin` lies on.
+/// (widened where the outline would take more than some hundred lines). One of the lines, extended,
+/// passes through `origin`.
 void hatch(Canvas& canvas, std::span<Point const> convex, Point origin, double angle, double spacing,
            Stroke const& stroke);
 

@@ -68,7 +68,7 @@ void hideSeams(Canvas& canvas, Shape const& shape, Pose const& pose, Style const
     }
 }
 
-// A translucent surface must not lie double where pieces overlap, nor show their rims inside.
+// A translucent surface must not be drawn twice where pieces overlap, nor show their rims inside.
 void drawTranslucent(Canvas& canvas, Shape const& shape, Pose const& pose, Style style) {
     double const pixels = static_cast<double>(style.outline);
     Colour const tint = style.tint.value_or(colourOf(style.pattern));

@@ -6,7 +6,7 @@
 
 namespace trembler::render {
 
-/// How an object stands to the player.
+/// The state of an object as the player sees it.
 struct Marks {
     bool selected = false;
     bool hovered = false;
@@ -17,17 +17,19 @@ struct Marks {
 /// Draws the object with everything that its properties show: windings, poles, signs, bolts.
 void drawObject(Canvas& canvas, Facts const& facts, Pose const& pose, Marks const& marks = {});
 
-/// A part that is about to be placed: half transparent, hatched in the warning colour where it may not be.
+/// A part that is about to be placed: half transparent, hatched in the warning colour where it is not
+/// allowed.
 void drawGhost(Canvas& canvas, Prototype const& part, Pose const& pose, bool allowed);
 
 /// The object's material and colour, without its marks.
 [[nodiscard]] Style styleOf(Facts const& facts);
 
-/// All pieces of a shape as one body: the rims first, then the insides, so that no line runs between pieces.
+/// Draws all pieces of a shape as one body: the rims first, then the insides, so that no line runs between
+/// pieces.
 void drawShape(Canvas& canvas, Shape const& shape, Pose const& pose, Style style);
 
-/// Half the smaller side of the object's box, in metres: the measure for signs on it. The symbols' radius for
-/// one without a body.
+/// Half the smaller side of the object's box, in metres: the measure for signs on it. For an object without a
+/// body, the radius of symbols.
 [[nodiscard]] double innerSize(Facts const& facts);
 
 } // namespace trembler::render

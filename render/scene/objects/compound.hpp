@@ -1,4 +1,5 @@
-// Shapes of several pieces as one body: their common edge, the seams inside, the same area without overlaps.
+// Shapes of several pieces as one body: their common edge, the seams inside, and the same area without
+// overlaps.
 #pragma once
 
 #include "render/scene/facts/shape_geometry.hpp"

@@ -44,7 +44,7 @@ void drawFilament(Canvas& canvas, ShapePiece const& glass, Pose const& pose, boo
 void drawBolts(Canvas& canvas, Facts const& facts, Pose const& pose, Style const& style) {
     for (ShapePiece const& piece : facts.shape->pieces) {
         if (piece.form != ShapeForm::box || std::min(piece.width, piece.height) < 0.1) {
-            continue; // there is no room, or it is no plate
+            continue; // there is no room, or the piece is not a plate
         }
         ShapePiece upright = piece;
         upright.at = {};

@@ -14,7 +14,7 @@ namespace trembler::render {
 /// socket. In place of the plain shape.
 void drawBulb(Canvas& canvas, Facts const& facts, Pose const& pose, Style const& style);
 
-/// Draws over the object's shape. Of `style` it takes how the object stands to the player (ghost and so on).
+/// Draws over the object's shape. From `style` it takes the marks for the player (ghost and so on).
 void drawDevice(Canvas& canvas, Facts const& facts, Pose const& pose, Style const& style);
 
 /// Where a wire that comes from `towards` (world) is fastened to the object, in the world.

@@ -78,7 +78,7 @@ private:
         }
         std::optional<Colour> tint = statedColour(shape.colour);
         if (tint && shape.pattern != DrawnPattern::plain && shape.colour.size() != 9 && tint->alpha == 255) {
-            tint->alpha = usual.value_or(colourOf(style.pattern)).alpha; // coloured glass is still glass
+            tint->alpha = usual.value_or(colourOf(style.pattern)).alpha; // coloured glass stays translucent
         }
         style.tint = tint ? tint : usual;
         style.flat = shape.shading == DrawnShading::flat;
@@ -87,7 +87,7 @@ private:
         style.onBody = true;
         style.glow = glowOf(shape);
         style.layer = layer;
-        // An outline must not eat up a small shape when it is far away.
+        // An outline must not cover a small shape when it is far away.
         double const pixels = shape.outline < 0 ? 1.0 : shape.outline;
         style.outline = static_cast<float>(std::min(pixels, 0.3 * small / canvas_.metres(1)));
         style.outlineColour = statedColour(shape.outlineColour);

@@ -69,7 +69,7 @@ void drawStrands(Canvas& canvas, std::span<Point const> path) {
     }
 }
 
-// Links lie flat and on edge by turns.
+// Every second link is seen from its edge.
 void drawLinks(Canvas& canvas, std::span<Point const> path, double moved) {
     double const total = pathLength(path);
     double const pitch = std::max(linkPitch, total / mostLinks);
@@ -138,7 +138,7 @@ void drawCoil(Canvas& canvas, Point a, Point b, double rest) {
         canvas.polyline(path, wire);
         return;
     }
-    // The far half of each turn first; over it the near one, which catches the light.
+    // First the far half of each turn; over it the near half, which is lighter.
     auto const half = [&](std::size_t i) { canvas.line(path[i], path[i + 1], wire); };
     for (std::size_t i = 2; i + 3 < path.size(); i += 2) {
         half(i + 1);

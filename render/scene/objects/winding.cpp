@@ -12,8 +12,8 @@ namespace {
 constexpr Colour flangeColour = rgb(0x4A4348);
 constexpr Colour boltBrass = rgb(0xD8B25A);
 
-/// That of a box's own four directions which comes next to `axis`: a wire is wound around its sides, even if
-/// the pole lies at a corner.
+/// That of a box's four directions which is nearest to `axis`: a wire is wound around the box's sides, even
+/// if the pole lies at a corner.
 Point alongBox(ShapePiece const& box, Point axis) {
     Point const own{std::cos(box.angle), std::sin(box.angle)};
     Point const across{-own.y, own.x};
@@ -70,7 +70,8 @@ Winding windingOf(Facts const& facts) {
         side = std::max(side, std::abs(dot(corner - middle, across)));
     }
     double const span = last - first;
-    // The core looks out by enough to fasten wires to, and to show the pole, also where it is short.
+    // The core extends beyond the winding far enough to fasten wires and to show the pole, also where it is
+    // short.
     double const end = std::clamp(0.1, 0.16 * span, 0.22 * span);
     winding.from = middle + (first + end) * winding.axis;
     winding.to = middle + (last - end) * winding.axis;
@@ -137,7 +138,7 @@ void drawWinding(Canvas& canvas, Facts const& facts, Pose const& pose, Style con
     for (int i = 0; i < turns; ++i) {
         Point const at = winding.from + (i + 0.5) * pitch * winding.axis;
         if (auto const chord = clipLine(outline, at, across)) {
-            // Wires run aslant around the core and stand out a little at its sides.
+            // Wires run slantwise around the core and protrude a little at its sides.
             Point const slant = 0.22 * pitch * winding.axis;
             double const radius = 0.5 * pitch;
             canvas.capsule(toWorld(pose, (*chord)[0] - slant), toWorld(pose, (*chord)[1] + slant), radius,

@@ -22,7 +22,7 @@ constexpr double beadsPerSecond = 4.5; // how many pass a point
 constexpr std::uint32_t unreached = 0xffffffffU;
 
 // How many live connections lie between each object and the nearest of the ends given. Current runs from
-// where the source is near to where the return is near: exact for chains, and a sensible way round for
+// where the source is near to where the return is near: exact for chains, and a plausible direction for
 // anything else.
 std::vector<std::uint32_t> hopsFrom(FactsReader const& reader, Column<ElectricityGraph> const& graph,
                                     ElectricalState const& state, bool fromSource) {
@@ -42,7 +42,7 @@ std::vector<std::uint32_t> hopsFrom(FactsReader const& reader, Column<Electricit
         }
     }
     std::size_t next = 0;
-    while (next < queue.size()) { // it grows meanwhile
+    while (next < queue.size()) { // the queue grows in the loop
         ObjectId const from = queue[next++];
         std::uint32_t const distance = hops[from.index];
         for (auto const& connection : graph[from].connections) {
@@ -172,7 +172,7 @@ std::vector<Point> cablePath(Facts const& a, Pose const& poseA, Facts const& b, 
     Point const across = to - start;
     double const sag = cableSag * std::abs(across.x);
     double const parts = std::clamp(length(across) / 0.08, 6.0, 28.0);
-    // A simulation that has come apart has no lengths.
+    // A simulation with numbers that are not finite has no lengths.
     std::vector<Point> path = hangingWire(start, to, sag, std::isfinite(parts) ? static_cast<int>(parts) : 6);
     if (axleA != nullptr) {
         path.insert(path.begin(), terminalOf(a, poseA, start));

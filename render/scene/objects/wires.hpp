@@ -18,7 +18,7 @@ struct Link {
     ObjectId b;
     CallerCounts counts; ///< for each caller that connects them
     bool live = false;   ///< current flows through it
-    bool forward = true; ///< the way it flows: from a to b
+    bool forward = true; ///< it flows from a to b
     bool line = false;   ///< is drawn although it conducts only at times, see addGeneratorLines()
     bool inside = false; ///< runs within a joint that holds both and is not drawn (look "none"), as in the
                          ///< links of a chain
@@ -30,11 +30,11 @@ struct Link {
 /// Of a cable in the world, m.
 inline constexpr double cableWidth = 0.045;
 
-/// Answers where an object is drawn.
+/// Returns the pose at which an object is drawn.
 using PoseOf = std::function<Pose(Facts const&)>;
 
-/// The line along which a cable hangs between two objects, from a to b. From one that is welded to a body
-/// that turns freely about the world it leaves through that axle.
+/// The line along which a cable hangs between two objects, from a to b. At an object welded to a body that
+/// turns freely about the world it begins at that body's axle.
 [[nodiscard]] std::vector<Point> cablePath(Facts const& a, Pose const& poseA, Facts const& b,
                                            Pose const& poseB);
 
@@ -49,9 +49,9 @@ struct CableCurrent {
     double time = 0;     ///< s; moves the beads
 };
 
-/// A generator is connected to its source only while it turns. Where the source is a mere sign, which would
-/// stand alone otherwise, the line between the two is to be drawn all the time: adds it to the links, or
-/// marks the one that is there.
+/// A generator is connected to its source only while it turns. Where the source is only a sign, which would
+/// be unconnected otherwise, the line between the two is to be drawn all the time: adds it to the links, or
+/// marks the existing one.
 void addGeneratorLines(World const& world, std::vector<Link>& links);
 
 /// How a cable of a certain length lies on a table between two places at the same height, as it is shown in

@@ -175,7 +175,7 @@ std::vector<std::vector<Point>> fieldLines(std::span<FieldPole const> poles, Ext
             });
             if (!taken) {
                 Trace trace = tracer.follow(p, angle, -1);
-                if (trace.endsAt == none) { // one that reaches a north pole is among that pole's own
+                if (trace.endsAt == none) { // a line to a north pole is one of that pole's already
                     std::reverse(trace.points.begin(), trace.points.end());
                     lines.push_back(std::move(trace.points));
                 }

@@ -19,8 +19,8 @@ struct FieldPole {
 /// down.
 [[nodiscard]] std::vector<FieldPole> activePoles(World const& world);
 
-/// Direction and strength of the field, up to µ0/4π: the sum of q r / (r² + s²)^(3/2), as magnetic forces
-/// have it.
+/// Direction and strength of the field, except for the factor µ0/4π: the sum of q r / (r² + s²)^(3/2), as for
+/// magnetic forces.
 [[nodiscard]] Point fieldAt(std::span<FieldPole const> poles, Point at, double softening = magneticSoftening);
 
 struct FieldLineOptions {
@@ -30,9 +30,9 @@ struct FieldLineOptions {
 };
 
 /// Lines from north poles to south poles (or to where they leave `within`), each in the direction of the
-/// field. South poles that too few of them reach get lines of their own. Fourth-order Runge-Kutta (Kutta
-/// 1901) in length along the line; the same input gives the same points. Empty without poles or for an empty
-/// rectangle.
+/// field. South poles that too few of these lines reach get lines of their own. Fourth-order Runge-Kutta
+/// (Kutta 1901) in length along the line; the same input gives the same points. Empty without poles or for an
+/// empty rectangle.
 [[nodiscard]] std::vector<std::vector<Point>>
 fieldLines(std::span<FieldPole const> poles, Extent const& within, FieldLineOptions const& options = {});
 

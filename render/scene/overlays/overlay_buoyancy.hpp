@@ -1,4 +1,4 @@
-// Where liquids lift things, and how strongly.
+// Where liquids lift objects, and how strongly.
 #pragma once
 
 #include "render/draw/canvas.hpp"

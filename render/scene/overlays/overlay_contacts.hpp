@@ -14,8 +14,8 @@ namespace trembler::render {
 [[nodiscard]] std::vector<Point> touchingPoints(Shape const& a, Pose const& poseA, Shape const& b,
                                                 Pose const& poseB);
 
-/// Points with normals and, by their length, impulses where they are computed; otherwise a mark between every
-/// pair that touches.
+/// Points with normals, and impulses as their lengths, where they are computed; otherwise a mark between
+/// every pair that touches.
 void drawContacts(Canvas& canvas, World const& world);
 
 } // namespace trembler::render

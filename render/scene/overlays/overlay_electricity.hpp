@@ -10,7 +10,7 @@ namespace trembler::render {
 void drawElectricity(Canvas& canvas, FactsReader const& reader, std::vector<Link> const& links,
                      PoseOf const& poseOf);
 
-/// Lays thin paper over everything that was drawn before, so that a diagram on top can be read.
+/// Lays thin paper over everything that was drawn before, so that a diagram on top is legible.
 void drawVeil(Canvas& canvas, float alpha);
 
 } // namespace trembler::render

@@ -18,7 +18,7 @@ void drawBand(Canvas& canvas, World const& world, FactsReader const& reader, Pos
     }
     Point const from = toWorld(poseOf(held), toPoint(hand->localPoint));
     Point const to = toPoint(hand->target);
-    // The further it is drawn out, the thinner rubber gets.
+    // The further the cord is stretched, the thinner it gets.
     double const stretch = length(to - from) / canvas.metres(60);
     auto const pixels = static_cast<float>(2.2 + 3.4 / (1 + stretch));
     canvas.line(from, to,

@@ -1,4 +1,4 @@
-// Magnetism over the scene: the forces that act, and the field that they come from.
+// Magnetism over the scene: the forces that act, and the field that causes them.
 #pragma once
 
 #include "render/draw/canvas.hpp"
@@ -6,8 +6,8 @@
 
 namespace trembler::render {
 
-/// Length in metres at which an arrow shows a force of so many newtons: logarithmic, as forces span decades.
-/// 0 for no force (and for one that is not finite); one decade above `leastForce` is as long as `decade`
+/// Length in metres of an arrow that shows a force, in newtons: logarithmic, as forces span decades. 0 for no
+/// force (and for one that is not finite); a force one decade above `leastForce` has an arrow of `decade`
 /// metres.
 [[nodiscard]] double arrowLength(double newtons, double decade);
 /// N; forces below it have arrows of nearly no length.

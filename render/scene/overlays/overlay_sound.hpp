@@ -1,4 +1,4 @@
-// Where something sounds.
+// Where sounds are made.
 #pragma once
 
 #include "render/draw/canvas.hpp"

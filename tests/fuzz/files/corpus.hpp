@@ -30,8 +30,8 @@ inline std::vector<std::string> keptInputs(std::string const& target) {
     return all;
 }
 
-/// One of the inputs with one to three changes: a character, which often leaves it JSON, another number, a
-/// piece left out or twice, or the rest of another input.
+/// One of the inputs with one to three changes: a character, after which the text is often still JSON,
+/// another number, a piece removed or repeated, or the rest of another input.
 template <class Random>
 std::string changed(std::vector<std::string> const& all, Random& random) {
     auto const below = [&](std::size_t count) { return count == 0 ? 0 : random() % count; };

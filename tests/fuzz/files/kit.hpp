@@ -1,4 +1,4 @@
-// Common to the targets that take bytes for a file.
+// Shared by the targets that take bytes for a file.
 #pragma once
 
 #include "runtime/level/json/json_document.hpp"
@@ -15,11 +15,11 @@ namespace trembler::files {
 
 /// Throws std::logic_error if a problem is reported without a message.
 void requireWords(InputError const& error);
-/// A folder of this process alone, for files that are read by their names.
+/// A folder that only this process uses, for files that are read by their names.
 [[nodiscard]] std::filesystem::path ownFolder();
 void write(std::filesystem::path const& file, std::string_view bytes);
 /// Opens a level, with a solution if one is stated, and runs it; the hash of every frame. Throws InputError,
-/// or std::logic_error if a number of the world is none.
+/// or std::logic_error if a value of the world is not a finite number.
 [[nodiscard]] std::vector<std::uint64_t> hashesOf(LevelFile const& level, PartLibrary const& parts,
                                                   Solution const* solution, int frames, int threads);
 

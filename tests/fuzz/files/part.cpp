@@ -15,7 +15,7 @@ void fuzzPart(std::string_view bytes) {
         PartDefinition part = readPart(gameData().registry, document);
         PartLibrary parts;
         for (PartDefinition const* const known : gameData().parts.all()) {
-            if (known->name != part.name) { // it takes the place of that of the game
+            if (known->name != part.name) { // it replaces the game's part
                 parts.add(*known);
             }
         }

@@ -45,7 +45,7 @@ void fuzzReplay(std::string_view bytes) {
         if (session.whyNotRecorded()) {
             return;
         }
-        // What is recorded of the replay is the same replay.
+        // A recording of the replay is the same replay.
         Solution const again = read(writeSolution(session.record("again")).dump());
         Session other(gameData().registry, gameData().parts, level);
         lua::require(hashAtTheEnd(other, again) == hash, "a recording of a replay is another replay");

@@ -38,7 +38,7 @@ void fuzzSettings(std::string_view bytes) {
             lua::require(ui::chordFrom(ui::nameOf(chord)) == chord, "a key has no name");
         }
     }
-    // What is written is read as it was, and is bound as it was.
+    // Written settings are read unchanged, and bound in the same way.
     profile.setKeys(keys.stated());
     profile.markSolved("first/1-first-contact.json");
     ui::Profile const again(file);

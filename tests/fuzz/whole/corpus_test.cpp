@@ -70,7 +70,7 @@ TEST(FuzzedCalls, OfRandomBytesHold) {
     }
 }
 
-// Otherwise the fuzzer tries nothing.
+// If calls were refused, the fuzzer would test nothing.
 TEST(FuzzedCalls, AreAcceptedWhateverTheBytes) {
     std::mt19937_64 random(17);
     for (int i = 0; i < 30; ++i) {
@@ -80,7 +80,7 @@ TEST(FuzzedCalls, AreAcceptedWhateverTheBytes) {
     }
 }
 
-// Cut, doubled and mixed texts of the corpus: most are no Lua, which must be told and nothing else.
+// Cut, doubled and mixed texts of the corpus: most are not Lua, which must only be reported.
 TEST(FuzzedTexts, OfMixedScriptsHold) {
     std::vector<std::string> texts;
     for (char const* const folder : {"fuzz/corpus/script_text", "lua/hostile"}) {

@@ -24,7 +24,7 @@ TEST(FuzzedFiles, ModManifestsHold) {
     fuzzTarget("mod_manifest", fuzzModManifest, 150);
 }
 
-// Otherwise the fuzzers would only ever see refusals.
+// Otherwise the fuzzers would only test refusals.
 TEST(FuzzedFiles, KeptInputsAreMostlyAccepted) {
     std::size_t levels = 0;
     for (std::string const& bytes : keptInputs("level")) {

@@ -1,4 +1,4 @@
-// trembler components --levels: what levels activate, in all output formats.
+// trembler components --levels: the components that levels activate, in all output formats.
 #include "tests/game/app/program.hpp"
 
 #include <nlohmann/json.hpp>

@@ -46,7 +46,7 @@ TEST_F(VerifyCommand, GoesOnWithWhatItHasVerified) {
     Ran const again = runProgram({"verify", good, at("wrong.json"), "--resume", at("all.jsonl")});
     EXPECT_EQ(again.out, first.out);
     EXPECT_EQ(contentsOf(at("all.jsonl")), journal) << "nothing was verified twice";
-    // A level that was changed since is.
+    // A level that was changed since then is verified again.
     std::filesystem::copy_file(good, at("wrong.json"), std::filesystem::copy_options::overwrite_existing);
     Ran const mended = runProgram({"verify", good, at("wrong.json"), "--resume", at("all.jsonl")});
     EXPECT_EQ(mended.status, 0) << mended.out << mended.err;

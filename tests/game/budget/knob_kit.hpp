@@ -1,4 +1,4 @@
-// Common to the tests of all knobs: scenes as text, and checks that options have the effect that they state.
+// Shared by the tests of all knobs: scenes as text, and checks that options have the effect that they state.
 #pragma once
 
 #include "game/budget/knobs.hpp"

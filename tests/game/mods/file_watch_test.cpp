@@ -76,7 +76,7 @@ TEST_F(WatchedFiles, MayGoAndComeBack) {
     (void)told(watch);
     EXPECT_EQ(told(watch), "0=one;1=new;");
     save("other", "renamed over it", 6);
-    fs::rename(folder / "other", path); // as editors save
+    fs::rename(folder / "other", path); // as editors do when they save
     (void)told(watch);
     EXPECT_EQ(told(watch), "0=renamed over it;");
 }

@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A script that pushes what names it, and counts its turns.
+/// A script that pushes each object that names it, and counts its turns.
 std::string pushing(std::string const& body, std::string const& more = "") {
     return "return interaction {\n  name = \"Dynamics <- Push\", calls = \"Dynamics\", reads = { \"Mass\" "
            "},\n"
@@ -79,7 +79,7 @@ protected:
         }
         liveMods->pass(0);
     }
-    /// Looks twice, as a file that changes is read at the second look.
+    /// Checks the files twice, as a changed file is read at the second check.
     void look() {
         liveMods->look();
         liveMods->look();
@@ -206,7 +206,7 @@ TEST_F(WithLiveMods, StateIsKeptWhereTheDeclarationsAgree) {
     open();
     steps(3);
     EXPECT_EQ(liveMods->scripts().front().log.back(), "3 6");
-    // 'all' is a text now and begins again; 'turns' goes on; 'fresh' is new.
+    // 'all' is a text now and begins again; 'turns' continues; 'fresh' is new.
     save(pushing(
         "store.object.turns = store.object.turns + 1\n"
         "store.object.fresh = store.object.fresh + 1\n"
@@ -240,7 +240,7 @@ TEST_F(WithLiveMods, AScriptThatFailsIsReportedOnceInARunAndTheWorldGoesOn) {
     EXPECT_TRUE(liveMods->scripts().front().live->failed());
     EXPECT_EQ(session->world().frame(), 20U);
     EXPECT_EQ(news(), "");
-    save(pushing(push)); // mended while the world runs
+    save(pushing(push)); // corrected while the world runs
     look();
     EXPECT_FALSE(liveMods->scripts().front().failure);
     steps(61);

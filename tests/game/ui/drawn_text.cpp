@@ -59,8 +59,8 @@ private:
     std::vector<Letter> all_;
 };
 
-/// Those of the fonts that are shown now. Thousands, so they are listed once for each making of the texture,
-/// which a list of the fonts' glyphs shows: ImGui adds them again.
+/// The letters of the fonts that are shown now. There are thousands, so they are listed once for each
+/// texture. A new texture shows in the fonts' lists of glyphs, as ImGui adds the glyphs again.
 Letters const& shownLetters() {
     struct Made {
         ImFont const* font;

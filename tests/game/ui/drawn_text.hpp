@@ -8,7 +8,7 @@
 
 namespace trembler::ui::test {
 
-/// Words on one line, as they are drawn: without what lies outside their clip rectangle.
+/// Words on one line, as they are drawn: without the parts outside their clip rectangle.
 struct DrawnText {
     std::string text;       ///< UTF-8; gaps between letters are single spaces
     std::string window;     ///< ImGui's name of the window

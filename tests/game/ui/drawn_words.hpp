@@ -1,5 +1,5 @@
-// Reads the words of a picture back from what Dear ImGui was told to draw: every letter is a rectangle of the
-// font's texture. So nothing that is drawn as text is missed, however it came there.
+// Reads the words of a picture back from Dear ImGui's draw lists: every letter is a rectangle of the font's
+// texture. So all drawn text is found, whichever function has drawn it.
 #pragma once
 
 #include "render/panels/theme.hpp"

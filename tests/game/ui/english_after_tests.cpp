@@ -9,7 +9,7 @@ namespace english_after_tests {
 namespace {
 
 class EnglishAfterTests : public testing::EmptyTestEventListener {
-    /// After the test's own objects are gone.
+    /// Called after the test's own objects are destroyed.
     void OnTestEnd(testing::TestInfo const& /*test*/) override { useLanguage("en"); }
 };
 

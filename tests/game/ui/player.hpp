@@ -23,8 +23,8 @@ inline std::unique_ptr<render::Window>& windowSlot() {
     static std::unique_ptr<render::Window> slot;
     return slot;
 }
-/// Opened on first use and kept: SDL likes one window at a time. With TREMBLER_TEST_WINDOW in the environment
-/// it is one on the screen, as players have it: see scripts/checks.d/xvfb.sh.
+/// Opened on first use and kept: SDL works best with one window at a time. With TREMBLER_TEST_WINDOW in the
+/// environment the window is on the screen, as for players: see scripts/checks.d/xvfb.sh.
 inline render::Window& window() {
     auto& slot = windowSlot();
     if (!slot) {

@@ -35,7 +35,7 @@ void expectReadable(std::string const& where) {
             << where << ": \"" << text.text << "\" is cut at a side";
         EXPECT_FALSE(!ofScene && !inField && text.cutAlong && !text.scrolled)
             << where << ": \"" << text.text << "\" is cut above or below";
-        // Only what follows a card's heading may scroll.
+        // Only the content below a card's heading may scroll.
         bool const heading = text.line > render::theme().fonts.heading->FontSize - 1;
         EXPECT_FALSE(text.cutAlong && heading && text.window.starts_with("goal"))
             << where << ": the heading \"" << text.text << "\" is cut above or below";

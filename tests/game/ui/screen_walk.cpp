@@ -12,7 +12,7 @@
 namespace trembler::ui::test {
 namespace {
 
-/// Enough that cards know their size and tips that fade are gone.
+/// Frames after which cards know their size and fading tips have disappeared.
 constexpr int settled = 8;
 
 auto const walkedLevel = levelsFolder() / "first/1-first-contact.json";
@@ -26,14 +26,14 @@ void lookAtMenu(Player& player, MenuPage page, std::string const& name, Look con
     player.key(SDLK_ESCAPE);
 }
 
-/// The pointer where it shows no tip and touches nothing.
+/// Moves the pointer to a place where it shows no tip and touches nothing.
 void restPointer(Player& player) {
     render::Size const size = window().size();
     player.moveTo({0.5 * size.width, size.height - 2.0});
     player.frames(settled);
 }
 
-/// A ball that is elsewhere at a moment of a run.
+/// Shows a what-if in which a ball is elsewhere at a moment of a run.
 void lookAtWhatIf(Player& player, Look const& look) {
     player.open(walkedLevel);
     player.drag(player.item("part steel bar"), player.at({-1.8, 1.3}));
@@ -63,7 +63,7 @@ void openEditor(Player& player) {
     player.frames(4);
 }
 
-/// The report on the level, and what else solves it, of few runs.
+/// Shows the report on the level, and the search for further solutions, of few runs.
 void lookAtStudies(Player& player, Look const& look) {
     LevelStudies& studies = *dynamic_cast<EditScreen&>(player.app().screen()).parts().studies;
     studies.reportOptions.robustness.runs = 8;
@@ -83,7 +83,7 @@ void lookAtStudies(Player& player, Look const& look) {
     look("edit-search");
 }
 
-/// Asks about the goal, and looks at the first step of the answer.
+/// Asks about the goal, and shows the first step of the answer.
 void askWhy(Player& player) {
     player.key(SDLK_y, KMOD_LSHIFT);
     player.play().why().wait();

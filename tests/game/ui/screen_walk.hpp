@@ -12,7 +12,7 @@ namespace trembler::ui::test {
 using Look = std::function<void(std::string const& screen)>;
 
 // Each part of the walk begins wherever the player is and visits its screens in a fixed order, always in the
-// same state. The player should have asked for less motion, or pictures show where something moves just then.
+// same state. The player should have set less motion: otherwise pictures depend on moving objects.
 
 /// Title and pages of the menu.
 void walkMenus(Player& player, Look const& look);

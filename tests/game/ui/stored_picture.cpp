@@ -80,7 +80,7 @@ Comparison compare(Image const& expected, Image const& got) {
     int differ = 0;
     for (int y = 0; y < height; ++y) {
         for (int x = 0; x < width; ++x) {
-            // Both ways: what is missing differs from all that is around its place, too. Equal blocks are
+            // Both ways: a missing item differs from everything around its place, too. Equal blocks are
             // around each other, and nearly all are equal.
             Pixel const pixel = got.at(x, y);
             Pixel const stored = expected.at(x, y);

@@ -17,8 +17,8 @@ namespace trembler::ui::test {
 
 /// Pixels of a screen along each side of a block.
 inline constexpr int blockSide = 4;
-/// A block differs if red, green or blue is further than this outside of what the nine blocks around its
-/// place have in the other picture; steps of 255.
+/// A block differs if its red, green or blue is further than this outside of the range of the nine blocks
+/// around its place in the other picture; steps of 255.
 inline constexpr int blockTolerance = 20;
 /// Pictures differ if more than this share of their blocks differ.
 inline constexpr double shareTolerance = 0.002;
@@ -29,8 +29,8 @@ struct Ignored {
     render::Point high;
 };
 
-/// The mean colour of each block, in steps of 8, opaque. What remains at the right and the bottom is left
-/// out.
+/// The mean colour of each block, in steps of 8, opaque. Pixels at the right and the bottom that fill no
+/// block are left out.
 [[nodiscard]] render::Image inBlocks(render::Image const& screen, std::vector<Ignored> const& ignored = {});
 
 struct Comparison {

@@ -42,7 +42,7 @@ TEST(Aftermath, TellsHowFarWhatHeldWentAstrayInTheTimeForWhichItShouldHaveHeld) 
     EXPECT_EQ(ended.names, std::vector<std::string>{"ball"});
     // One second after it began to hold, in the first frame.
     EXPECT_NEAR(static_cast<double>(ended.frame), 60, 2);
-    double const frameLong = 9.81 * frameDuration; // m that it falls in a frame by then: one more or less
+    double const frameLong = 9.81 * frameDuration; // m per frame at that time: one frame more or less
     EXPECT_NEAR(ended.by, fallen(ended.frame) - 0.5, frameLong);
 }
 

@@ -1,4 +1,4 @@
-// How near something was that should cease to hold.
+// Misses of conditions that should cease to hold.
 #include "insight/miss/current/ways_of_current.hpp"
 #include "insight/miss/negated_miss.hpp"
 #include "insight/why/words/words.hpp"
@@ -42,7 +42,7 @@ TEST(NegatedMiss, OfSeveralIsTheNearestOrTheMean) {
     EXPECT_GT(any.measure, all.measure);
 }
 
-/// A floor, and so many boxes at rest on it, the ball far from them.
+/// The miss with a floor, that many boxes at rest on it, and the ball far from them.
 Miss missOfBoxesOnAFloor(int boxes) {
     std::string more = R"(, {"name": "floor", "at": [0, -1], "properties":
         {"shape": [{"form": "box", "width": 12, "height": 0.5}], "fixed": true}})";
@@ -73,7 +73,7 @@ TEST(NegatedMiss, OfATouchIsTheNumberOfPairsThatTouch) {
                     .starts_with("The floor still touched box 0, one of 3 such pairs"));
 }
 
-/// What is left to do of a sequence that was done at once and should not be.
+/// The miss of a sequence that was completed at once and should not be.
 TEST(NegatedMiss, OfASequenceThatIsDoneIsTheWholeWay) {
     Miss const miss = explainedMiss(
         levelWith(

@@ -1,4 +1,4 @@
-// Magnets as the reasons why something did not get where it should be.
+// Magnets as the reasons why an object did not reach its goal.
 #include "insight/miss/obstacles.hpp"
 #include "insight/why/words/words.hpp"
 #include "runtime/level/read/read_level.hpp"
@@ -40,7 +40,7 @@ TEST(Obstacles, TheCoilOfARelayIsNamedWithItsGap) {
     EXPECT_TRUE(says(told, "No current flowed through the relay coil")) << told.back();
 }
 
-// Nothing lacks but that the magnet lets go.
+// Only the magnet would have to release its object.
 TEST(Obstacles, AMagnetThatHoldsIsNamed) {
     auto const told = toldIn("3-magnets/6-the-crane.json", "the block is never let go");
     EXPECT_TRUE(says(told, "The crane magnet still held the iron block back")) << told.back();

@@ -32,7 +32,7 @@ TEST(LevelReport, SaysWhatTheSolutionsOfTheFirstLevelNeed) {
     EXPECT_EQ(json["solutions"][0]["robustness"], 1.0);
     EXPECT_EQ(json["solutions"][2]["solves"], false);
     EXPECT_TRUE(json["found"].empty());
-    // Each goal's chain of causes, as `trembler why` tells it.
+    // Each goal's chain of causes, as in `trembler why`.
     ASSERT_EQ(json["solutions"][1]["name"], "the spanner");
     ASSERT_EQ(json["solutions"][1]["chains"].size(), report.goals.size());
     for (nlohmann::json const& chain : json["solutions"][1]["chains"]) {
@@ -59,7 +59,7 @@ TEST(LevelReport, SaysWhatTheSolutionsOfTheFirstLevelNeed) {
     EXPECT_EQ(toMarkdown({reportOn(firstContact(), shortReport(), one)}), page);
 }
 
-// What a demonstration does by itself is no solution of its task, and nothing that falls short.
+// The goals that a demonstration reaches by itself are no solution of its task, and no shortcoming.
 TEST(LevelReport, TakesTheTaskOfADemonstrationLikeAPuzzle) {
     LevelUnderTest const level(gameData(), testedFile("experiments/1-switched-electromagnet.json"));
     ReportOptions options = shortReport();
@@ -116,7 +116,7 @@ TEST(LevelReport, ShowsWhatItHasAfterEachPart) {
     EXPECT_FALSE(shown[3].solutions[0].chains.empty());
     EXPECT_FALSE(shown[4].solutions[0].maps.empty());
     EXPECT_TRUE(report.complete);
-    // Whoever looks on changes nothing.
+    // A callback for progress changes nothing.
     options.sofar = nullptr;
     EXPECT_EQ(toJson(reportOn(firstContact(), options, workers)), toJson(report));
 }

@@ -100,7 +100,7 @@ TEST(PlaceMap, HasTheRecordedPlaceInItsMiddle) {
     EXPECT_EQ(map.rows[2][2], '#');
     EXPECT_EQ(map.rows[4][2], ' ') << "the area for placing ends above the contacts";
     EXPECT_EQ(map.rows[0][2], '#') << "dropped from 40 cm higher it still lies across the gap";
-    // Each cell is what a run with that displacement does.
+    // Each cell is the result of a run with that displacement.
     Solution moved = *firstContact().level().findSolution("the steel bar");
     moved.placements.front().at += Vec2{0.4, 0.2};
     EXPECT_EQ(map.rows[1][4] == '#', tryOut(firstContact(), moved, {}).solved);

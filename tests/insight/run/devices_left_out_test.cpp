@@ -9,7 +9,7 @@ namespace trembler::insight {
 namespace devices_left_out_test {
 namespace {
 
-// The coil gets its current, and lifts nothing.
+// The coil gets its current, but lifts nothing.
 TEST(DevicesLeftOut, AMagnetThatIsStilledPullsNothing) {
     LevelFile const level =
         loadLevel(gameData().registry, testedFile("experiments/1-switched-electromagnet.json"));
@@ -28,7 +28,7 @@ TEST(DevicesLeftOut, AMotorThatIsStilledTurnsNothing) {
     EXPECT_FALSE(runs.run({solution, {withoutDevice("gate", 1)}}, limits).solved);
 }
 
-// The laboratory's door is held by a magnet: one that is not switched holds it for good.
+// A magnet holds the laboratory's door: if the magnet is not switched, it holds the door for ever.
 TEST(DevicesLeftOut, AMagnetThatIsNotSwitchedStaysOn) {
     LevelFile const level =
         loadLevel(gameData().registry, testedFile("5-everything/1-the-laboratory-door.json"));
@@ -39,8 +39,7 @@ TEST(DevicesLeftOut, AMagnetThatIsNotSwitchedStaysOn) {
     EXPECT_FALSE(runs.run({solution, {withoutSwitching("door magnet", 5)}}, limits).solved);
 }
 
-// Up to the frame from which something is missing nothing differs; and a name that does not exist is left
-// out of nothing.
+// Before the frame from which a device is missing nothing differs; and an unknown name has no effect.
 TEST(DevicesLeftOut, BeginToBeMissingInTheStatedFrame) {
     LevelFile const level =
         loadLevel(gameData().registry, testedFile("experiments/1-switched-electromagnet.json"));

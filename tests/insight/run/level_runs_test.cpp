@@ -104,7 +104,7 @@ TEST(LevelRuns, ADipThatIsLeftOutLiftsNothing) {
     (void)runs.run({{}, {dip}}, {.frames = 60}, observer);
     EXPECT_EQ(lift.count("flotation device A"), 0U);
     EXPECT_GT(lift["flotation device B"], 50);
-    // Until then nothing is different.
+    // Before that frame nothing is different.
     EXPECT_EQ(runs.run({}, {.frames = 19}).stateHash, runs.run({{}, {dip}}, {.frames = 19}).stateHash);
 }
 

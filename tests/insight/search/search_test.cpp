@@ -14,7 +14,7 @@
 namespace trembler::insight {
 namespace {
 
-/// All that a search found, but for the time that it took.
+/// The results of a search, without its time.
 std::string told(SearchResult const& result) {
     std::string text = std::to_string(result.runs) + " " + std::to_string(result.solved) + " " +
                        std::to_string(result.firstSolved.value_or(0)) + " " + toText(result.nearestMiss);

@@ -11,7 +11,7 @@
 
 namespace trembler::insight {
 
-/// How nearly the level's first goal was met in a run of so many frames, explained.
+/// The explained miss of the level's first goal in a run of that many frames.
 inline Miss explainedMiss(LevelFile const& level, std::uint64_t frames, Variation const& variation = {}) {
     LevelRuns const runs(gameData(), level);
     std::unique_ptr<MissMeter> meter;

@@ -1,4 +1,4 @@
-// A team whose members are threads of one process: what MPI does, without MPI.
+// A team whose members are threads of one process instead of MPI's processes.
 #pragma once
 
 #include "insight/spread/team.hpp"
@@ -26,7 +26,7 @@ public:
         shared_->told[static_cast<std::size_t>(rank_)] = mine;
         shared_->barrier.arrive_and_wait();
         std::vector<std::string> all = shared_->told;
-        shared_->barrier.arrive_and_wait(); // nobody writes the next one before all have read
+        shared_->barrier.arrive_and_wait(); // all have read before any member writes the next one
         return all;
     }
 

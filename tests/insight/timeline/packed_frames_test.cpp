@@ -1,4 +1,4 @@
-// Packed frames are unpacked as they were, whatever their values do from frame to frame.
+// Unpacked frames equal the packed ones, however their values change from frame to frame.
 #include "insight/timeline/packed_frames.hpp"
 
 #include <gtest/gtest.h>
@@ -35,7 +35,7 @@ TEST(PackedFrames, AreBitForBitTheSame) {
             for (Words const& words : parts) {
                 bool const repeats = words.size() % 3 == 0 && frames.size() > 1 &&
                                      frame.values.size() < frames[frames.size() - 2].values.size();
-                // Some are those of the frame before, some are absent.
+                // Some values are those of the frame before, some are absent.
                 frame.values.push_back(repeats ? frames[frames.size() - 2].values[frame.values.size()]
                                        : words.size() % 5 == 4 ? nullptr
                                                                : std::make_shared<Words const>(words));

@@ -13,7 +13,7 @@ namespace {
 
 class RecordingTest : public Experiment {
 protected:
-    /// Of all objects and their properties, and of everything that slots hold.
+    /// The state of all objects and their properties, and of all slots.
     static std::pair<std::uint64_t, Words> stateOf(World const& world) {
         Words words;
         WordWriter out(words);
@@ -25,7 +25,7 @@ protected:
     [[nodiscard]] Stage stage() {
         return Stage([this] { return buildAgain(gameData().registry, session()); });
     }
-    /// Runs the open session and records it; what it was in each frame.
+    /// Runs the open session and records it; returns the state in each frame.
     std::map<std::uint64_t, std::pair<std::uint64_t, Words>> record(Recording& recording,
                                                                     std::uint64_t frames) {
         auto const run = buildAgain(gameData().registry, session());
@@ -64,7 +64,7 @@ TEST_F(RecordingTest, ShowsEveryFrameOfEveryLevelBitForBit) {
         try {
             level = loadLevel(gameData().registry, path);
         } catch (std::exception const&) {
-            continue; // of a mod, or no level
+            continue; // of a mod, or not a level
         }
         SCOPED_TRACE(path);
         openWith(level, level.solutions.empty() ? "" : level.solutions.front().name);
@@ -96,7 +96,7 @@ TEST_F(RecordingTest, KeepsWithinItsMemoryAndThinsTheOldestFirst) {
     EXPECT_LE(recording.bytes(), most);
     EXPECT_LT(recording.frames(), all.frames());
     EXPECT_EQ(recording.last(), 4000U);
-    // What remains is still exact, and the gaps grow towards the beginning.
+    // The remaining frames are still exact, and the gaps grow towards the beginning.
     Stage shown = stage();
     std::uint64_t early = 0;
     std::uint64_t late = 0;

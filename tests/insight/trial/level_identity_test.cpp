@@ -25,7 +25,7 @@ LevelFile changedLevel(ChangeOfLevel const& change) {
     return level;
 }
 
-/// Everything in which a level can speak.
+/// Changes every text of a level.
 void sayOtherwise(LevelFile& level) {
     level.title = "Another title";
     level.text = "Another text";
@@ -40,7 +40,7 @@ void sayOtherwise(LevelFile& level) {
     }
 }
 
-/// By 1 mm.
+/// Moves the hanger by 1 mm.
 void moveTheHanger(LevelFile& level) {
     for (LevelObject& object : level.objects) {
         if (object.name == "hanger") {
@@ -83,7 +83,7 @@ TEST(LevelIdentity, HasWhatDecidesItsRuns) {
     }
 }
 
-/// The numbers of a report with displaced runs far enough apart that others would be counted otherwise.
+/// The numbers of a report, with displacements so large that another identity would change the counts.
 nlohmann::json numbersOf(LevelFile level, Journal* journal = nullptr) {
     ReportOptions options;
     options.robustness.runs = 40;
@@ -109,7 +109,7 @@ nlohmann::json numbersOf(LevelFile level, Journal* journal = nullptr) {
 TEST(LevelIdentity, KeepsTheNumbersOfAReportWhateverTheLevelSays) {
     nlohmann::json const before = numbersOf(changedLevel([](LevelFile&) {}));
     EXPECT_EQ(numbersOf(changedLevel(sayOtherwise)), before);
-    // 1 mm: other random numbers, and hardly other physics.
+    // 1 mm changes the random numbers, and hardly the physics.
     EXPECT_NE(numbersOf(changedLevel(moveTheHanger)), before);
 }
 
@@ -128,7 +128,7 @@ TEST(LevelIdentity, LetsAJournalTellSolutionsApart) {
     EXPECT_EQ(withJournal([](LevelFile&) {})["solutions"][0]["solves"], true);
     EXPECT_EQ(withJournal(moved), numbersOf(changedLevel(moved)));
     EXPECT_EQ(withJournal(moved)["solutions"][0]["solves"], false);
-    // Nothing is done again for the sake of words.
+    // A change of texts causes no work to be repeated.
     auto const lines = [&] {
         Journal const journal(file, team);
         return journal.size();

@@ -44,7 +44,7 @@ RecordedInput ofHand(PlayerInput::Kind kind, std::uint64_t frame, int hand) {
     return input;
 }
 
-// Nobody else uses the hand of a what-if's grab while it lasts.
+// No other input uses the hand of a what-if's grab while it lasts.
 TEST(WhatIfChanges, AGrabHasAHandForItself) {
     using Kind = PlayerInput::Kind;
     WhatIf const what{20, {{.kind = Change::Kind::grab, .object = "ball", .frames = 30}}};

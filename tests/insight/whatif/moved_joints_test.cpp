@@ -1,4 +1,4 @@
-// A part that is moved takes along what holds it to the world: afterwards its joints are those of a world in
+// A part that is moved takes along its joints to the world: afterwards its joints are those of a world in
 // which it was placed there from the start.
 #include "insight/whatif/apply.hpp"
 #include "insight/whatif/moved_joints.hpp"
@@ -123,7 +123,7 @@ RC_GTEST_PROP(MovedJoints, AreThoseOfAPartThatWasPlacedThere, ()) {
     RC_ASSERT(expectSameJoints(*moved, *there, part) > 0U);
 }
 
-// A cog, whose axle is in the world, stays where it was put.
+// A cog, whose axle is fixed in the world, stays where it was put.
 TEST(MovedJoints, HoldThePartInItsNewPlace) {
     LevelFile const level = levelFrom(R"("objects": [], "toolbox": [{"part": "large cog", "count": 1}])");
     auto const moved = runOf(level, {placed("large cog", {0, 0}, 0)});
@@ -141,7 +141,7 @@ TEST(MovedJoints, HoldThePartInItsNewPlace) {
     EXPECT_LT(length(valueOf<Position>(*there, cog)->value - Vec2{2, 1}), 1e-3);
 }
 
-// What the level states: a pivot in the world or on a fixed post goes along, the far end of a rope does not.
+// Joints of the level: a pivot in the world or on a fixed post moves along, the far end of a rope does not.
 TEST(MovedJoints, OfALevelGoAlongIfTheyArePivots) {
     char const* const members = R"(
         "objects": [

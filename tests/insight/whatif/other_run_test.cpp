@@ -1,5 +1,5 @@
-// The other run: the same to the bit without a change, the same again with the same one, and never a change
-// of the real one.
+// The other run: without a change it equals the real run to the bit, the same change gives the same run
+// again, and the real run never changes.
 #include "insight/timeline/again.hpp"
 #include "insight/timeline/stage.hpp"
 #include "insight/whatif/other_run.hpp"
@@ -48,7 +48,7 @@ protected:
             step();
         }
     }
-    /// Putting each body where it is.
+    /// Changes that put each body where it already is.
     [[nodiscard]] std::vector<Change> placesNow() const {
         std::vector<Change> all;
         Store const& store = world().store();

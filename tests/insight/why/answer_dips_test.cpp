@@ -1,4 +1,4 @@
-// Of several bodies that dip into water, the necessary ones are distinguished from coincidences.
+// Of several bodies that dip into water, the answer distinguishes necessary ones from coincidences.
 #include "insight/why/answer.hpp"
 #include "runtime/level/json/json_document.hpp"
 #include "runtime/level/read/read_level.hpp"
@@ -10,8 +10,8 @@ namespace trembler::insight {
 namespace dips_tests {
 namespace {
 
-/// A heavy bar that falls into water with two boxes welded below it, of these widths: a goal wants it not to
-/// go down for two seconds.
+/// A heavy bar that falls into water, with two boxes of these widths welded below it: a goal requires that it
+/// stays up for two seconds.
 LevelFile raft(double left, double right, double density) {
     auto const box = [](std::string const& name, double at, double width) {
         return R"({"name": ")" + name + R"(", "at": [)" + std::to_string(at) +
@@ -43,7 +43,7 @@ Answer whyAfloat(LevelFile const& level) {
     return why(runs, {}, question, options);
 }
 
-/// How well it is known that an object's dip is a cause; nothing if the answer lacks it.
+/// The proof that an object's dip is a cause; nothing if the answer lacks it.
 std::optional<Proof> proofOfDip(Answer const& answer, std::string const& object) {
     for (ChainStep const& one : answer.chain) {
         if (one.step.kind == StepKind::liquid && one.step.objects.front() == object) {

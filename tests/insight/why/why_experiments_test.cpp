@@ -1,4 +1,4 @@
-// The thesis's four experiments, and what a player may do in them: the answer's chain is that of the
+// The thesis's four experiments, and possible actions of a player in them: the answer's chain is that of the
 // thesis's accounts (docs/account.md).
 #include "insight/why/words/words.hpp"
 #include "puzzle/campaign/as_played.hpp"
@@ -68,7 +68,7 @@ void expectEarlierCauses(Answer const& answer) {
     }
 }
 
-/// All of these are in the answer and sure, each not later than the next.
+/// All of these steps are in the answer and proven, none later than the next.
 void expectInOrder(Answer const& answer,
                    std::vector<std::pair<StepKind, std::vector<std::string>>> const& account) {
     expectEarlierCauses(answer);
@@ -82,7 +82,7 @@ void expectInOrder(Answer const& answer,
     }
 }
 
-// A spanner or a steel bar does what the switch does in the account, and was laid there.
+// A spanner or a steel bar takes the place of the switch in the account, and was laid there.
 TEST(WhyExperiments, AnotherBridgeIsNamedInPlaceOfTheSwitch) {
     for (std::string const bridge : {"spanner", "steel bar"}) {
         Answer const answer = answerIn("1-switched-electromagnet", "a " + bridge + " in its place");
@@ -138,7 +138,7 @@ TEST(WhyExperiments, TheMotorsMagnetIsSwitchedByTheSlidingContact) {
                         {StepKind::magnetOff, {"EM-North"}}});
 }
 
-// Experiment IV: what floats is in the water.
+// Experiment IV: the floats are in the water.
 TEST(WhyExperiments, TheRaftsFloatsAreInTheWater) {
     for (std::string const object : {"flotation device A", "flotation device B"}) {
         Answer const answer = answerIn("4-raft", "hands off", ofObject(object, 3));
@@ -169,8 +169,8 @@ TEST(WhyExperiments, TheRaftBearsItsBoxesBecauseItsFloatsAreInTheWater) {
     }
 }
 
-// "If this is sufficient to cause the cargo to slide off": the goal held for a moment, and what ended it is
-// told from what lies in the water and on the raft, not from the time that was missing.
+// "If this is sufficient to cause the cargo to slide off": the goal held for a moment; the cause of its end
+// follows from the objects in the water and on the raft, not from the time that was missing.
 TEST(WhyExperiments, ALoadOnTheLeftEndIsWhyTheRaftGoesUnder) {
     Answer const answer = answerIn("4-raft", "load the left end");
     ASSERT_FALSE(answer.happened);
@@ -192,7 +192,7 @@ TEST(WhyExperiments, ALoadOnTheLeftEndIsWhyTheRaftGoesUnder) {
     }
 }
 
-// What the task asks for follows from the boxes that were placed, and from the floats as well.
+// The goal is met because of the boxes that were placed, and because of the floats.
 TEST(WhyExperiments, TwoMoreBoxesAreOnDeckBecauseTheyWerePlacedThere) {
     LevelFile const level = asPlayed(experiment("4-raft"), "");
     LevelRuns const runs(gameData(), level);

@@ -1,4 +1,4 @@
-// The chains of causes of the thesis's experiments and of levels are the chains that their accounts name.
+// The chains of causes of the thesis's experiments and of levels are those of their accounts.
 #include "insight/why/words/words.hpp"
 #include "physics/dynamics/properties/shapes/overlap.hpp"
 #include "runtime/level/read/read_level.hpp"
@@ -234,7 +234,7 @@ TEST(Why, WhatTheGoalNamesIsTold) {
     EXPECT_LT(placeOf(bell, StepKind::contact, {"bell", "third domino"}), bell.chain.size());
 }
 
-// A balloon touches two contacts and so leads the current past a lamp: neither touch is the other's reason.
+// A balloon touches two contacts and so bypasses a lamp: neither touch is the cause of the other.
 TEST(Why, AShortCircuitHasItsContactsSideBySide) {
     Answer const answer = whyIn("2-electricity/2-the-easy-way", "balloons from below", {.goal = "right"});
     ASSERT_TRUE(answer.happened);
@@ -246,7 +246,8 @@ TEST(Why, AShortCircuitHasItsContactsSideBySide) {
     EXPECT_EQ(answer.chain[off].step.because, (std::vector{std::min(front, back), std::max(front, back)}));
 }
 
-// Where the step happened, at its moment: that of the contact lies on both, and not where they began.
+// The place of each step, at its moment: a contact's lies on both objects as they are then, not as they were
+// at the start.
 TEST(Why, StepsHappenedWhereTheirObjectsWereThen) {
     Answer const answer = whyIn("experiments/1-switched-electromagnet", "");
     std::size_t const one = placeOf(answer, StepKind::contact, {"object 1", "switch"});
@@ -283,7 +284,7 @@ std::vector<std::string> keysOf(nlohmann::ordered_json const& object) {
     return keys;
 }
 
-// All of them, as docs/why.md lists them: whoever adds one adds it there and here.
+// All keys, as docs/why.md lists them: a new key is added there and here.
 TEST(Why, TheJsonHasTheKeysThatOtherProgramsRelyOn) {
     using Keys = std::vector<std::string>;
     Answer const answer = whyIn("experiments/1-switched-electromagnet", "");

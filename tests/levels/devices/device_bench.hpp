@@ -1,4 +1,4 @@
-// A bench for trying parts: a floor, a supply of 12 V, and whatever a test adds.
+// A bench for testing parts: a floor, a supply of 12 V, and the objects that a test adds.
 #pragma once
 
 #include "tests/support/experiment.hpp"
@@ -9,7 +9,7 @@
 
 namespace trembler {
 
-/// Poses of a part that a player means to be the same: exact, 2 cm off, and 2° off, each way.
+/// Poses of a part for one intention of the player: exact, 2 cm off, and 2° off, each way.
 struct SlightlyOff {
     double x = 0;        ///< m
     double angleDeg = 0; ///< degrees
@@ -32,7 +32,7 @@ protected:
     void wire(std::string const& a, std::string const& b);
     /// Records an input, for example `"grab": "weight", "at": [0, 1]`.
     void input(std::uint64_t frame, std::string const& what);
-    /// Builds the world of everything that was added, and begins again.
+    /// Builds the world of everything that was added, and restarts.
     void start();
 
     /// The frames up to a given one in which the object was on, of those in which it could be.

@@ -1,4 +1,4 @@
-// Parts that show something: compass and metronome.
+// Parts that show measurements: compass and metronome.
 #include "physics/dynamics/properties/shapes/mass_properties.hpp"
 #include "tests/levels/devices/device_bench.hpp"
 

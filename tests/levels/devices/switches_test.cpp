@@ -1,4 +1,4 @@
-// The switches among the parts: what closes them, what opens them, and how exactly they must be met.
+// The switches among the parts: the objects that close and open them, and how precisely they must be placed.
 #include "tests/levels/devices/device_bench.hpp"
 
 namespace trembler {

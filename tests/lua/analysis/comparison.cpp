@@ -15,7 +15,7 @@
 namespace trembler::lua::analysis {
 namespace {
 
-/// A recorded play of a level; without a solution nobody touches anything.
+/// A recorded play of a level; without a solution there is no player input.
 struct Play {
     std::filesystem::path path;
     Solution const* solution = nullptr;
@@ -26,7 +26,7 @@ struct Played {
     std::vector<ComponentStatus> status;
 };
 
-/// What propertyHash() covers beside the columns, in the order of the keys.
+/// The properties that propertyHash() covers besides the columns, in the order of the keys.
 std::vector<PropertyInfo const*> hashedOffers(Registry const& registry) {
     std::map<std::string_view, PropertyInfo const*> offered;
     for (Registration const& registration : registry.components()) {

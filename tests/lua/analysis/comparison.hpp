@@ -17,28 +17,29 @@ namespace trembler::lua::analysis {
 /// One interaction, or several at once, in all recorded plays of all levels.
 struct Comparison {
     std::string name;
-    int plays = 0;            ///< in which the level activates it and it has a turn
+    int plays = 0;            ///< in which the level activates the interaction and it has a turn
     std::uint64_t frames = 0; ///< compared
     std::uint64_t turns = 0;  ///< of those in C++
     std::optional<std::uint64_t>
         firstDiffers;                ///< the first frame, of any play, after which the worlds differ
-    std::string differsIn;           ///< that level and play
+    std::string differsIn;           ///< the level and play of that frame
     int differing = 0;               ///< plays in which they do
     double nativeMicroseconds = 0;   ///< per turn
     double scriptMicroseconds = 0;   ///< per turn
-    std::vector<std::string> errors; ///< what the script said
+    std::vector<std::string> errors; ///< of the script
 };
 
 /// Puts the script into the registry in place of the interaction of its name: at its place, with its type (so
-/// that a shortcut of 5.7.3 finds it), what it is called for by, and its turn in the setup. Throws
+/// that a shortcut of 5.7.3 finds it), its conditions of activation, and its turn in the setup. Throws
 /// InputError if the script is wrong.
 void putInPlace(Registry& registry, Counterpart const& counterpart, std::shared_ptr<ScriptLog> const& log);
 
-/// The hash of every property that the state hash covers. What components keep for themselves is left out, as
-/// the two keep different things; it shows in the properties as soon as it makes a difference.
+/// The hash of every property that the state hash covers. The components' own data is left out, as it differs
+/// between the two; it shows in the properties as soon as it has an effect.
 [[nodiscard]] std::uint64_t propertyHash(World const& world, Registry const& registry);
 
-/// All levels of the game, and those in tests/lua/analysis/levels for what they do not activate.
+/// All levels of the game, and those in tests/lua/analysis/levels for interactions that the game's levels do
+/// not activate.
 [[nodiscard]] std::vector<std::filesystem::path> comparedLevels(GameData const& data);
 
 /// Compares every interaction that has a script in every play of these levels, in at most `frames` of each.

@@ -1,5 +1,4 @@
-// The interactions of this program in C++ and the same in Lua: the page docs/scripting-analysis.md says what
-// is compared here.
+// The program's interactions in C++ and the same in Lua: docs/scripting-analysis.md describes the comparison.
 #include "puzzle/data/effects.hpp"
 #include "tests/lua/analysis/comparison.hpp"
 #include "tests/lua/analysis/interaction_tables.hpp"
@@ -84,7 +83,7 @@ TEST(InteractionsInLua, NoScriptIsLeftOut) {
     }
 }
 
-// A script at the place of an interaction that runs inside a derived property set (5.7.3) reads there what
+// A script in place of an interaction that runs inside a derived property set (5.7.3) reads the values that
 // the set has just derived, and sleeps with it.
 TEST(InteractionsInLua, RunInsideADerivedPropertySetWhereTheNativeOneDoes) {
     std::vector<Counterpart> const all = counterparts();

@@ -13,7 +13,7 @@ struct Counterpart {
     std::vector<std::filesystem::path>
         nativeFiles;              ///< relative to the repository, with its class and functions
     std::filesystem::path script; ///< the Lua file; empty: it cannot be written
-    std::string remark;           ///< what the script lacks or does otherwise; empty: nothing
+    std::string remark;           ///< differences of the script; empty: none
 };
 
 /// All interactions that the game registers, in order of registration; a test compares the names.

@@ -137,7 +137,7 @@ TEST(ScriptedInteraction, KeepsWhatItsManifestDeclaresAndNothingElse) {
     run.world->start();
     std::uint64_t const before = run.world->stateHash();
     run.steps(2);
-    // In each turn hidden begins at 0 again; the second object of the turn sees what the first has left.
+    // In each turn `hidden` begins at 0 again; the second object of the turn sees the change by the first.
     EXPECT_EQ(run.game.messages(), "1 1 1\n1 2 3\n2 1 4\n2 2 6\n");
     EXPECT_NE(run.world->stateHash(), before);
 }

@@ -1,4 +1,5 @@
-// Trusted scripts are compiled and read columns by FFI. What they do is what untrusted ones do, to the bits.
+// Trusted scripts are compiled and read columns by FFI. Their results are those of untrusted scripts, to the
+// bit.
 #include "tests/lua/support/script_world.hpp"
 
 #include <cmath>
@@ -14,8 +15,8 @@ std::string trustTestScript(std::string const& body, std::string const& more = "
            more + "\n  apply = function(" + parameters + ")\n" + body + "\n  end,\n}\n";
 }
 
-/// A world of boxes, some with a density of their own, after so many frames: its hash, and what its script
-/// said.
+/// A world of boxes, some with a density of their own, after that many frames: its hash, and the messages of
+/// its script.
 struct TrustedRun {
     std::uint64_t hash = 0;
     std::string said;

@@ -78,7 +78,7 @@ TEST_F(TrustedMods, AreThoseOfTheProgramOfThePlayerAndOfTheCommandLine) {
     }
 }
 
-// Its author may have given it the name of a mod that the player trusts.
+// The author of a mod beside a level may have given it the name of a mod that the player trusts.
 TEST_F(TrustedMods, AreNoneThatCameWithALevel) {
     std::vector<Mod> mods{modNamed("trusted-elsewhere"), modNamed("trusted-elsewhere")};
     mods.front().besideLevel = true;

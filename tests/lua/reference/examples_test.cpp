@@ -18,7 +18,7 @@ std::unique_ptr<World> worldOf(ScriptedGame const& game) {
     static std::filesystem::path const file =
         std::filesystem::path(TREMBLER_SOURCE_DIR) / "tests/lua/reference/world.json";
     auto world = buildWorld(game.registry, loadLevel(game.registry, file), plain.parts);
-    // Which no level can state: runs that ask why set it.
+    // No level can state this; runs of `trembler why` set it.
     Store& store = world->store();
     store.column<SparedBy>().set(store.find("crate"), {{store.find("pool")}});
     return world;
@@ -61,7 +61,7 @@ TEST(PropertyExamples, ReadEveryPropertyOfAWorldThatHasThemAll) {
     }
 }
 
-// Whether the call of the example makes a difference: the hash covers every call that is held or pending.
+// Whether the call of the example has an effect: the hash covers every held or pending call.
 TEST(FunctionExamples, MakeTheirCalls) {
     for (ReferenceFunction const& function : reference().functions) {
         std::string const call = "out." + std::string(function.call->text.name);

@@ -48,7 +48,7 @@ inline std::unique_ptr<World> worldOf(GameData const& game, std::string const& o
     return buildWorld(game.registry, level, game.parts, {}, std::move(options));
 }
 
-/// What went wrong in scripts since the last call, a line each.
+/// The errors of scripts since the last call, a line each.
 inline std::string errorsOf(GameData const& game) {
     std::string all;
     for (ScriptMessage const& message : game.scriptLog->take()) {

@@ -9,8 +9,8 @@
 namespace trembler::lua {
 
 /// Its folders are `chunk`, with scripts that are run as a chunk of their own, `apply`, with scripts that use
-/// what `apply` is given, and `manifest`, with scripts that are only read. In these, scripts are sorted by
-/// what they attack.
+/// the arguments of `apply`, and `manifest`, with scripts that are only read. In these, scripts are sorted by
+/// their target.
 inline std::filesystem::path hostileFolder() {
     return std::filesystem::path(TREMBLER_SOURCE_DIR) / "tests/lua/hostile";
 }

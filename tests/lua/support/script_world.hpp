@@ -18,7 +18,7 @@
 
 namespace trembler::lua {
 
-/// Everything that the game knows, and some scripts as a mod.
+/// The game's data, with some scripts as a mod.
 struct ScriptedGame {
     explicit ScriptedGame(std::vector<std::string> const& sources, Trust trust = Trust::untrusted) {
         registerEffects(registry);

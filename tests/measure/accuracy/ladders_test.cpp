@@ -118,12 +118,12 @@ TEST(Accuracy, GravitysAndMagnetismsLadders) {
     Ladder const& bars = ladder("magnetism", "bar magnets");
     EXPECT_GT(errorOf(bars, "grid, cutoff 1 m"), errorOf(bars, "grid, cutoff 8 m"));
     Ladder const& dipoles = ladder("magnetism", "two bars");
-    for (double const lengths : {5.0, 10.0}) { // 5/3 (l/r)² and 7/3 (l/r)⁴, less what the softening takes
+    for (double const lengths : {5.0, 10.0}) { // 5/3 (l/r)² and 7/3 (l/r)⁴, reduced by the softening
         double const series = 5.0 / 3 / std::pow(lengths, 2) + 7.0 / 3 / std::pow(lengths, 4);
         double const found = errorOf(dipoles, "two poles, " + std::to_string(static_cast<int>(lengths)));
         EXPECT_NEAR(found, series, 10 * 0.0025 / std::pow(0.2 * lengths, 2)) << lengths;
     }
-    // Poles alone: (r/l)²/6 of the dipoles' force, less what the softening takes.
+    // Poles alone: (r/l)²/6 of the dipoles' force, reduced by the softening.
     EXPECT_NEAR(errorOf(dipoles, "one pole, 5 lengths"), 25.0 / 6 - 1, 0.02);
 }
 

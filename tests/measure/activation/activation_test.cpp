@@ -87,7 +87,7 @@ std::map<std::string, std::set<std::string>> const& triggers() {
 
 constexpr std::uint64_t mostParts = 8; // of a frame
 
-/// Whether it was made to be measured; in puzzles balls may roll and wheels turn for ever.
+/// Whether the level was made for measurements; in puzzles balls may roll and wheels turn for ever.
 bool isMeasured(std::string const& level) {
     return level.find("levels/experiments/") != std::string::npos ||
            level.find("levels/sound/") != std::string::npos ||
@@ -225,7 +225,7 @@ TEST_F(Activation, ALevelAtRestHasAtMostATwentiethOfTheTurnsOfMotion) {
 }
 
 TEST_F(Activation, AFinishedCircuitsDpsSleeps) {
-    // The magnet holds the lifted object: current flows, and is not computed again.
+    // The magnet holds the lifted object: current flows, but is not computed again.
     open("1-switched-electromagnet.json", "hands off");
     runTo(900);
     ASSERT_TRUE(on("electromagnet"));

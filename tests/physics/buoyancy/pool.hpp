@@ -57,7 +57,7 @@ public:
     void give(ObjectId id, P property) {
         world->store().column<P>().set(id, std::move(property));
     }
-    /// Lets no air act on the bodies; without it light ones rise in that of the Earth.
+    /// Removes the effect of air on the bodies; without this, light ones rise in the air of the Earth.
     void withoutAir() { give(world->store().find("world"), Air{.density = 0}); }
     /// Runs frames; the first call starts the world.
     void run(int frames);

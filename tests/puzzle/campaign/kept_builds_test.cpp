@@ -1,4 +1,4 @@
-// What was built is there again; and the level of free play.
+// The parts that a player placed are restored; and the level of free play.
 #include "puzzle/campaign/free_play.hpp"
 #include "puzzle/campaign/kept_builds.hpp"
 #include "puzzle/data/game_data.hpp"

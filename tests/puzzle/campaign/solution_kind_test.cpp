@@ -1,4 +1,4 @@
-// In what solutions differ, and the stars for that.
+// The differences between kinds of solutions, and the stars for them.
 #include "puzzle/campaign/progress.hpp"
 #include "puzzle/data/game_data.hpp"
 #include "runtime/level/read/read_level.hpp"

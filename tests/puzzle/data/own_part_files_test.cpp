@@ -14,7 +14,7 @@ TEST(OwnPartFiles, AreAddedEachByItself) {
     std::filesystem::remove_all(folder);
     std::filesystem::create_directories(folder);
     auto const write = [&](char const* name, char const* text) { std::ofstream(folder / name) << text; };
-    // It consists of one whose file comes later.
+    // The part consists of a part whose file comes later.
     write(
         "a.json",
         R"({"name": "own pair", "objects": [{"name": "one", "part": "own disc"}, {"name": "two", "part": "own disc", "at": [1, 0]}]})");

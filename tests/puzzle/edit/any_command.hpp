@@ -7,8 +7,8 @@
 
 namespace trembler::edit {
 
-/// A command out of all kinds, as the numbers say, which `next` gives: 0 to its argument, exclusive. Throws
-/// CommandError for one that is not possible here.
+/// A random command of any kind. `next` gives the numbers that determine it: from 0 to its argument,
+/// exclusive. Throws CommandError for a command that is not possible here.
 [[nodiscard]] Command anyCommand(LevelDocument const& document, std::function<int(int)> const& next);
 
 } // namespace trembler::edit

@@ -14,7 +14,7 @@ namespace trembler::edit {
 void writeText(std::filesystem::path const& path, std::string const& text);
 /// A new empty folder of the running test.
 [[nodiscard]] std::filesystem::path testFolder();
-/// A level with a table, two crates, a ball of a part, a hinge, a rope, a wire, goals and a solution.
+/// A level with a table, two crates, a ball made from a part, a hinge, a rope, a wire, goals and a solution.
 [[nodiscard]] std::string const& smallLevel();
 [[nodiscard]] LevelDocument smallDocument();
 /// The message with which a command is refused; "" if it is not.

@@ -75,7 +75,7 @@ TEST_F(FrameAccount, OfExperimentOneHasTheFramesOfTheThesis) {
     // f + 3: the metal object is lifted.
     EXPECT_TRUE(under(frameOf(text, f + 3), resolvers,
                       "Dynamics Resolver: carries out addForceToPoint: metal object"));
-    // From then on there is nothing new about gravity.
+    // After that, the account mentions gravity no more.
     EXPECT_FALSE(has(frameOf(text, f + 3), "addForce:"));
 }
 

@@ -1,4 +1,4 @@
-// Identifies an object although placements change the names and ids of others.
+// An object is found again although placements change the names and ids of others.
 #include "puzzle/session/lasting_object.hpp"
 #include "runtime/placement.hpp"
 #include "tests/support/experiment.hpp"

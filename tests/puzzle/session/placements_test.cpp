@@ -45,7 +45,7 @@ TEST_F(PlacementsTest, NumbersNameAPartThroughUndoAndRedoAndAreNeverUsedAgain) {
     EXPECT_TRUE(placements.redo());
     EXPECT_EQ(numbersIn(placements.now()), (std::vector{a, b}));
     EXPECT_TRUE(placements.undo());
-    int const c = add(ball(3)); // which ends the edits that can be redone
+    int const c = add(ball(3)); // after this, no edit can be redone
     EXPECT_FALSE(placements.canRedo());
     EXPECT_NE(c, b);
     EXPECT_EQ(numbersIn(placements.now()), (std::vector{a, c}));

@@ -89,7 +89,7 @@ TEST_F(Wires, AreRecordedWrittenAndLoaded) {
     ASSERT_EQ(again.wires.size(), 2U);
     EXPECT_EQ(again.wires[0].a, "lamp");
     EXPECT_EQ(again.wires[0].b, "steel bar 1");
-    // The written level says the same.
+    // The written level states the same.
     LevelFile const copy = readLevel(gameData().registry, JsonDocument::parse(levelText(file), "copy.json"));
     EXPECT_EQ(copy.wires, 2);
     ASSERT_EQ(copy.solutions.size(), 2U);

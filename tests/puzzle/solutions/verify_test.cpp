@@ -13,7 +13,7 @@ namespace trembler {
 namespace verify_test {
 namespace {
 
-/// What is stated about a level: a rubber ball that rests on the floor, and another one that falls 2 m.
+/// The content of a level: a rubber ball that rests on the floor, and another one that falls 2 m.
 struct Stated {
     std::string members; ///< of the file, each with a comma after it
     std::string goals;   ///< empty: none
@@ -24,7 +24,7 @@ struct Stated {
 std::string const pushes = R"({"name": "push", "placements": [{"part": "steel ball", "at": [0.25, 2]}]})";
 std::string const misses = R"({"name": "miss", "expect": "unsolved", "frames": 240,
                                "placements": [{"part": "steel ball", "at": [2, 2]}]})";
-/// Reached by a push only; reached by falling; and never reached.
+/// Goals: reached by a push only; reached by falling; and never reached.
 std::string const pushed = R"({"moved": {"object": "resting", "by": 0.1}})";
 std::string const fallen = R"({"touching": ["falling", "floor"]})";
 std::string const never = R"({"moved": {"object": "resting", "by": 100, "towards": "up"}})";
@@ -100,7 +100,7 @@ TEST_F(Verify, ReportsALevelThatSolvesItself) {
     // A fall of 2 m at 10 m/s² takes √0.4 s.
     double const frame = std::stod(said.substr(said.find_last_not_of("0123456789") + 1));
     EXPECT_NEAR(frame, 60 * std::sqrt(0.4), 3) << said;
-    // Of a demonstration this is what is expected.
+    // For a demonstration this is expected.
     auto const demonstrated = failuresOf({R"("demonstration": true, )", fallen, pushes});
     EXPECT_TRUE(demonstrated.empty()) << lines(demonstrated);
 }

@@ -124,7 +124,7 @@ TEST_F(CompositeParts, SolutionsAreRecordedAndRepeated) {
     }
     EXPECT_EQ(again->world().stateHash(), hash);
 
-    file["solutions"][0]["inputs"][0]["grab"] = "swing 1 leg"; // only a world can tell that it has none
+    file["solutions"][0]["inputs"][0]["grab"] = "swing 1 leg"; // found only when a world is built
     auto const wrong = fromFile();
     try {
         wrong->load(wrong->level().solutions[0]);

@@ -22,7 +22,7 @@
 namespace trembler {
 namespace {
 
-/// Where everything is and how fast it moves, object by object.
+/// The place and the velocity of every object.
 using Motion = std::vector<std::tuple<std::string, Vec2, double, Vec2>>;
 
 Motion motionOf(World const& world) {
@@ -60,7 +60,7 @@ Outcome play(LevelFile const& level, Registry const& registry, PartLibrary const
     return outcome;
 }
 
-/// A level may state how exactly an effect is computed; without the effect that line goes with it.
+/// A level may state how exactly an effect is computed; without the effect this line is removed.
 LevelFile loadWithout(Registry const& registry, std::filesystem::path const& path) {
     std::set<std::string> chosen;
     for (Registration const& registration : registry.components()) {

@@ -16,7 +16,8 @@ protected:
              true);
     }
 
-    /// When the bell was struck first: a ball that bounces within a frame touches it only briefly.
+    /// The frame in which the bell was struck first: a ball that bounces within a frame touches it only
+    /// briefly.
     std::uint64_t struckBy(std::string const& ball) const {
         std::uint64_t frame = 0;
         for (char const* const touch : {"contact begun", "contact brief"}) {

@@ -1,4 +1,4 @@
-// The mirror image of a world moves as its mirror image.
+// The mirror image of a world moves as the mirror image of its motion.
 #include "runtime/placement.hpp"
 #include "tests/puzzle/whole/swing.hpp"
 

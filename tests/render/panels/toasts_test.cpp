@@ -1,4 +1,4 @@
-// Messages come and go.
+// Messages appear and disappear.
 #include "render/panels/toasts.hpp"
 #include "tests/render/panels/panels.hpp"
 

@@ -1,4 +1,4 @@
-// Numbers stay in a line with what belongs to them.
+// Numbers stay on one line with their units and counts.
 #include "render/panels/unbroken.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// A maximised window comes back maximised from the whole screen, whatever the window manager does meanwhile.
+// A maximised window is maximised again after filling the screen, whatever the window manager does meanwhile.
 #include "render/window/maximising.hpp"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@ namespace trembler::render::test {
 namespace maximising_test {
 namespace {
 
-/// A window manager that carries out what it is asked to after a number of pictures.
+/// A window manager that carries out requests after a number of pictures.
 class FakeDesktop {
 public:
     FakeDesktop(bool maximised, bool forgets, int delay)

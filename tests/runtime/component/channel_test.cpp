@@ -105,7 +105,7 @@ TEST(Channel, ClearsSingleCallsOnceCarriedOutAndHeldOnesByTheirSource) {
     EXPECT_TRUE(holds(channel).empty());
 }
 
-// Only sources that have made calls since are looked at, and a new set of sources is looked at as a whole.
+// Only sources with calls since the last time are examined; of a new set of sources, all are.
 TEST(Channel, ClearsWhatEachSourceHasMadeSinceTheLastTime) {
     Source first;
     Source second;

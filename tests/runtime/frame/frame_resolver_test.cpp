@@ -1,4 +1,4 @@
-// In how many parts a frame is computed: as stated, or as many as the shortest of all requests needs.
+// The number of parts of a frame: as stated, or as many as the shortest of all requests needs.
 #include "runtime/component/interaction.hpp"
 #include "runtime/frame/frame_resolver.hpp"
 #include "runtime/population/population_resolver.hpp"
@@ -105,7 +105,7 @@ TEST(FrameResolver, MakesPartsAsShortAsTheShortestWish) {
         scene.world.step();
         int const expected = fewestParts(limits);
         RC_ASSERT(scene.parts() == expected);
-        // A stated number counts instead, whatever the limits are.
+        // A stated number is used instead, whatever the limits are.
         int const stated = 1 << below(4);
         scene.state(stated);
         scene.world.step();

@@ -1,4 +1,4 @@
-// Wrapping changes where lines of prose end and nothing else.
+// Wrapping changes only the places where lines of prose end.
 #include "runtime/notation/wrap_markdown.hpp"
 
 #include <gtest/gtest.h>

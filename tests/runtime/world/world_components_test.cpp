@@ -1,4 +1,4 @@
-// Components whose constructors fail: the world goes on with the components that it has, and tries again.
+// Components whose constructors fail: the world continues with the existing components, and tries again.
 #include "tests/runtime/world/heat.hpp"
 
 #include <gtest/gtest.h>
@@ -89,7 +89,7 @@ protected:
     ObjectId coal_;
 };
 
-// One component must go in the selection in which the constructor of another one fails.
+// One component must be removed in the selection in which the constructor of another one fails.
 TEST_P(WorldComponents, StayUntilTheConstructorsOfOthersSucceed) {
     begin();
     world_->store().column<Fuel>().remove(coal_);

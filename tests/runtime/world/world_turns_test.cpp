@@ -1,5 +1,5 @@
-// Turns of components that sleep and wake: against a model that considers each of them in every part, as the
-// world itself does not look at the entries of components that sleep on.
+// Turns of components that sleep and wake, compared with a model that considers each of them in every part.
+// The world itself skips the entries of components that stay asleep.
 #include "runtime/frame/frame_resolver.hpp"
 #include "runtime/population/population_resolver.hpp"
 #include "tests/runtime/world/heat.hpp"
@@ -23,7 +23,7 @@ struct TurnTaken {
 
 struct PulseKind {
     ComponentText text;
-    std::vector<bool> pattern; ///< in which of its turns, again and again, it marks heat as changed
+    std::vector<bool> pattern; ///< the turns, repeated for ever, in which it marks heat as changed
 };
 struct Pulse final : Resolver<Pulse, HeatRole, Reads<>, Writes<Heat>> {
     using Activation = NeedsAll<Heat>;
@@ -98,7 +98,7 @@ struct Model {
     }
 };
 
-/// What happens before a frame.
+/// The changes before a frame.
 struct Deed {
     bool touchFuel = false;
     bool watch = false;           ///< a subscription begins, or ends: all components are bound again

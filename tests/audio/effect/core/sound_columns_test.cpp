@@ -15,7 +15,8 @@ SoundColumns columnsOf(Store& store) {
             store.column<Velocity>()};
 }
 
-// The law itself is compared with its formula in sounding_body_test.cpp: here, whose numbers it is given.
+// The law itself is compared with its formula in sounding_body_test.cpp; here, the numbers that it receives
+// are tested.
 TEST(SoundColumns, AnImpactLastsAsLongAsItsTwoObjectsMakeIt) {
     test::ListeningRoom room;
     ObjectId const ball = room.body("ball", Material::steel, circlePiece(0.1), {0, 1});

@@ -1,4 +1,4 @@
-// The limit for a group of sources, compared with the ways from points in it.
+// The limit for a group of sources, compared with the paths from points in it.
 #include "audio/effect/hearing/group_path.hpp"
 #include "audio/effect/hearing/sound_path.hpp"
 

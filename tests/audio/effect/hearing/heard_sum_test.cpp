@@ -1,4 +1,4 @@
-// The sum of all sounds at a listener, compared bit for bit with one that leaves out nothing.
+// The sum of all sounds at a listener, compared bit for bit with a sum that leaves out nothing.
 #include "audio/effect/hearing/heard_sum.hpp"
 #include "audio/effect/hearing/sound_path.hpp"
 #include "audio/effect/properties/decibel.hpp"
@@ -84,7 +84,7 @@ TEST(HeardSum, HasTheBitsOfTheSumOfAllWays) {
                                 {anyNumber(-5, 200), anyNumber(-2, 3)},
                                 meanSquareOf(anyNumber(-20, 60))};
         Sum const all = ofAll(field, sources, ear, silence);
-        // A share that is too great must be noticed, and cost time only.
+        // A share that is too great must be noticed, and only cost time.
         for (double const neglected : {HeardSum::usuallyNeglected, 0x1p-56, 0x1p-40, 0x1p-10, 1.0, 0.0}) {
             Sum const needed = ofNeeded(field, sources, ear, silence, neglected);
             RC_ASSERT(needed.heard == all.heard);

@@ -149,7 +149,7 @@ double throughWall(std::optional<Material> material, std::optional<double> densi
     return room.levelAt(ear);
 }
 
-// The mass law: what a wall lets through depends on its mass alone, wherever that comes from.
+// The mass law: the sound that passes a wall depends on its mass alone, however the mass is stated.
 TEST(Loudness, AWallMutesByItsOwnMassHoweverThatIsStated) {
     constexpr double volume = 0.02 * 4000 * 0.1; // m³: the world is 0.1 m deep
     double const brick = throughWall(Material::brick, {}, {});

@@ -121,7 +121,7 @@ TEST_F(Outputs, HaveNames) {
 TEST_F(Outputs, ThatHoldEarlierWorkAreFiles) {
     std::string const input = level();
     for (char const* const command : {"verify", "report", "solve"}) {
-        // The end of a device would never come.
+        // A device would never end.
         Ran const ran = runProgram({command, input, "--resume", "/dev/full"});
         EXPECT_EQ(ran.status, 2) << command;
         EXPECT_TRUE(contains(ran.err, "/dev/full: is a device")) << ran.err;

@@ -15,7 +15,7 @@ using nlohmann::json;
 
 class ReportCommand : public InAFolder {
 protected:
-    /// Of two levels, without what takes long or differs from run to run.
+    /// A report on two levels, without the parts that take long or differ from run to run.
     [[nodiscard]] std::vector<std::string> report(std::vector<std::string> const& more) const {
         std::vector<std::string> all{"report", first,     second,     "--runs", "8",     "--drops",
                                      "8",      "--brief", "--search", "70",     "--json"};
@@ -60,7 +60,7 @@ TEST_F(ReportCommand, GoesOnWithSeveralLevelsWhereItWasStopped) {
     std::vector<std::string> const journal = report({"--threads", "1", "--resume", at("journal.jsonl")});
     Ran const before = runProgram(journal);
     ASSERT_LE(before.status, 1) << before.err;
-    // What the journal has after a stop is its beginning; the last line may be half written.
+    // After a stop the journal holds a beginning of the work; its last line may be incomplete.
     std::string const lines = contentsOf(at("journal.jsonl"));
     std::size_t const half = lines.find('\n', lines.size() / 2);
     ASSERT_NE(half, std::string::npos);

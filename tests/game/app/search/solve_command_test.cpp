@@ -20,7 +20,7 @@ protected:
         all.insert(all.end(), more.begin(), more.end());
         return all;
     }
-    /// A report without what differs from run to run.
+    /// A report without the values that differ from run to run.
     static json timeless(std::string const& text) {
         json all = json::parse(text);
         for (char const* const key : {"seconds", "runs_per_second", "threads", "processes"}) {
@@ -81,7 +81,7 @@ TEST_F(SolveCommand, ReplacesNoFileWithWhatItKeeps) {
     std::string const level = at("kept/a.json");
     std::filesystem::copy_file(good, level);
     write(at("kept/a-found-1.png"), "mine");
-    std::string const report = at("kept/a-found-1-2.json"); // written at the end, but promised before
+    std::string const report = at("kept/a-found-1-2.json"); // written at the end, but reserved before
     Ran const ran = runProgram(
         {"solve", level, "--runs", "80", "--frames", "600", "--keep", at("kept"), "--json", report});
     ASSERT_EQ(ran.status, 0) << ran.err;
@@ -92,7 +92,7 @@ TEST_F(SolveCommand, ReplacesNoFileWithWhatItKeeps) {
     ASSERT_FALSE(all["found"].empty());
     EXPECT_EQ(all["found"][0]["file"], at("kept/a-found-1-3.json"));
     EXPECT_EQ(runProgram({"run", level, "--solution", at("kept/a-found-1-3.json")}).status, 0);
-    // A level that has the name of what would be kept, and two levels of one name.
+    // A level with the name of a file that would be written, and two levels of one name.
     std::filesystem::create_directories(at("other"));
     std::filesystem::copy_file(good, at("other/a.json"));
     std::filesystem::copy_file(good, at("other/a-found-1.json"));
@@ -171,7 +171,7 @@ TEST_F(SolveCommand, ComparesManyLevelsInOneTable) {
     EXPECT_NE(table.find("| level | runs | solved |"), std::string::npos) << table;
     EXPECT_NE(table.find("at random"), std::string::npos) << table;
     EXPECT_NE(ran.out.find("Solved by the search: "), std::string::npos) << ran.out;
-    // One level of the table is what the command says of it alone.
+    // A row of the table is the command's result for that level alone.
     Ran const alone =
         runProgram({"solve", good, "--runs", "40", "--frames", "300", "--no-hands", "--compare", "--json"});
     EXPECT_EQ(timeless(alone.out), timelessTable(contentsOf(at("t.json")))["levels"][0]);

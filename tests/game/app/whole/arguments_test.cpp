@@ -13,7 +13,7 @@ TEST_F(Arguments, AreDecimalNumbersInTheirRanges) {
                                                           {"--frames", "0x10"},
                                                           {"--frames", "0"},
                                                           {"--frames", "-1"},
-                                                          {"--frames", "10000001"}, // a recording has no more
+                                                          {"--frames", "10000001"}, // too many frames
                                                           {"--frames", "18446744073709551617"},
                                                           {"--frames", "1e2"},
                                                           {"--frames", " 7"},

@@ -43,7 +43,7 @@ TEST_F(Limits, OfItsValues) {
     EXPECT_LT(std::count(ran.err.begin(), ran.err.end(), '\n'), 110);
 }
 
-// Ten thousand conditions, each about ten thousand objects twice: a small file.
+// Ten thousand conditions, each of which names about ten thousand objects twice: a small file.
 TEST_F(Limits, OfTheObjectsOfGoals) {
     constexpr int many = 10'000;
     std::string objects;

@@ -64,7 +64,7 @@ TEST_F(Mods, AScriptThatFailsInATestFailsTheCheckWithItsLine) {
         << checked.out;
     EXPECT_TRUE(contains(checked.out, "is switched off in frame 1")) << checked.out;
     EXPECT_TRUE(contains(checked.out, "not good")) << checked.out;
-    // What nothing uses any more is pointed out, too.
+    // Names that are not used any more are reported, too.
     EXPECT_TRUE(contains(checked.out, "warning: ")) << checked.out;
     EXPECT_TRUE(contains(checked.out, "the parameter 'force' has no effect")) << checked.out;
 }

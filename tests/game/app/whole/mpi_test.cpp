@@ -27,7 +27,7 @@ protected:
             GTEST_SKIP() << "built without MPI, or there is no mpirun: scripts/install clusters";
         }
     }
-    /// What the program writes into a file when that many processes run it.
+    /// The file that the program writes when this number of processes runs it.
     [[nodiscard]] std::string shared(int processes, std::string const& arguments) const {
         std::string const file = at(fmt::format("out-{}.json", processes));
         // The variables let Open MPI be run by root, as in a container.
@@ -41,13 +41,13 @@ protected:
         return contentsOf(file);
     }
     std::string const good = levelFile("first/1-first-contact.json").string();
-    /// Three levels, with what a search of them is asked for.
+    /// Three levels, with the options of a search.
     std::string const several = fmt::format("solve '{}' '{}' '{}' --runs 70 --frames 600 --no-hands", good,
                                             levelFile("first/2-into-the-basket.json").string(),
                                             levelFile("2-electricity/1-both-gaps.json").string());
 };
 
-/// What a search of several levels wrote, without what depends on time and on the processes.
+/// The results of a search of several levels, without values that depend on time and on the processes.
 json foundIn(std::string const& text) {
     json all = json::parse(text);
     for (json& level : all["levels"]) {
@@ -58,7 +58,8 @@ json foundIn(std::string const& text) {
     return all;
 }
 
-/// Leaves the first half of a file, and half a line more, as a power cut does. What is left of whole lines.
+/// Leaves the first half of a file, and half a line more, as a power cut does. Returns the whole lines that
+/// remain.
 std::string cutInTheMiddle(std::filesystem::path const& file) {
     std::string const text = contentsOf(file);
     EXPECT_GT(text.size(), 1000U) << file;
@@ -67,7 +68,7 @@ std::string cutInTheMiddle(std::filesystem::path const& file) {
     return text.substr(0, text.substr(0, cut).rfind('\n') + 1);
 }
 
-/// What the whole lines of a journal say to be finished.
+/// The work that the whole lines of a journal report as finished.
 std::vector<std::string> finishedWork(std::filesystem::path const& file) {
     std::vector<std::string> works;
     std::istringstream lines(contentsOf(file));
@@ -112,7 +113,7 @@ TEST_F(SharedOut, ASearchOfSeveralLevelsThatWasCutOffGoesOn) {
     std::string const first = cutInTheMiddle(at("pack.jsonl"));
     std::string const second = cutInTheMiddle(at("pack.jsonl.1"));
     EXPECT_EQ(foundIn(shared(2, arguments)), whole);
-    // What was finished is still there, and nothing was computed twice.
+    // The finished work is still there, and nothing was computed twice.
     EXPECT_EQ(contentsOf(at("pack.jsonl")).substr(0, first.size()), first);
     EXPECT_EQ(contentsOf(at("pack.jsonl.1")).substr(0, second.size()), second);
     std::vector<std::string> works = finishedWork(at("pack.jsonl"));

@@ -1,5 +1,5 @@
-// The causes of long frames are reported: bodies in one place before the first frame, by run and by verify, and every
-// slow frame by run.
+// The causes of long frames are reported: bodies in one place before the first frame, by run and by verify,
+// and every slow frame by run.
 #include "tests/game/app/program.hpp"
 #include "tests/support/boxes.hpp"
 
@@ -8,7 +8,7 @@ namespace {
 
 class SlowFrames : public InAFolder {
 protected:
-    /// A level of so many boxes in one place, or side by side.
+    /// A level of that many boxes in one place, or side by side.
     [[nodiscard]] std::string boxes(int count, double apart) const {
         write(at("boxes.json"), levelOfBoxes(count, apart));
         return at("boxes.json");
@@ -21,7 +21,7 @@ TEST_F(SlowFrames, OfACrowdAreToldBeforeTheyAreComputed) {
     EXPECT_NE(ran.status, 2) << "it runs all the same";
     EXPECT_NE(ran.err.find("44850 pairs"), std::string::npos) << ran.err;
     EXPECT_NE(ran.err.find("box "), std::string::npos) << ran.err;
-    Ran const verified = runProgram({"verify", level}); // and is not run for minutes
+    Ran const verified = runProgram({"verify", level}); // without running for minutes
     EXPECT_EQ(verified.status, 1);
     EXPECT_NE(verified.out.find("44850 pairs"), std::string::npos) << verified.out << verified.err;
     EXPECT_NE(verified.out.find("/objects/"), std::string::npos) << "it names the place: " << verified.out;

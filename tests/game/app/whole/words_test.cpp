@@ -58,7 +58,7 @@ TEST_F(Words, OfALevelAreHarmless) {
     made["objects"][0]["part"] = evil.substr(5);
     levels.emplace_back("a part", made);
     made = anyLevel();
-    made["objects"][0]["name"] = "e\xC2\x9Bv\xE2\x80\xAEil"; // no C0, which no name may have
+    made["objects"][0]["name"] = "e\xC2\x9Bv\xE2\x80\xAEil"; // without C0 characters, which no name may have
     levels.emplace_back("a name", made);
     made = anyLevel();
     made["solutions"] = {{{"name", "e\xC2\x9Bvil"}, {"expect", "solved"}, {"frames", 1}}};

@@ -1,4 +1,4 @@
-// Levels and solutions are told apart by their keys.
+// Levels and solutions are distinguished by their keys.
 #include "game/ui/app/dropped_file.hpp"
 #include "runtime/file/output_file.hpp"
 #include "tests/game/ui/player.hpp"

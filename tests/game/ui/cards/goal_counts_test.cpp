@@ -1,4 +1,4 @@
-// Goals that count say how many there are so far.
+// Goals that count show the number reached so far.
 #include "game/ui/cards/goal_counts.hpp"
 #include "runtime/level/read/read_level.hpp"
 #include "tests/game/ui/player.hpp"

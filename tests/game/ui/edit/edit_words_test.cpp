@@ -1,4 +1,4 @@
-// The editor speaks every language of the program: each of its texts has a translation.
+// Each text of the editor has a translation in every language of the program.
 #include "game/ui/edit/commands/edit_commands.hpp"
 #include "game/ui/edit/edit_words.hpp"
 #include "game/ui/shared/texts.hpp"
@@ -60,7 +60,7 @@ TEST(EditWords, HaveATranslationIntoEveryLanguage) {
     EXPECT_GT(all.size(), 300U);
     for (Language const& language : languages()) {
         if (language.id == "en") {
-            continue; // that is what they are written in
+            continue; // the texts are written in this language
         }
         auto const known = translations(language.id);
         for (std::string const& english : all) {

@@ -1,4 +1,4 @@
-// The inspector's rows about sound. (Other rows are tested in play_screen_test.)
+// The inspector's rows about sound. (play_screen_test tests other rows.)
 #include "audio/effect/properties/acoustics.hpp"
 #include "audio/effect/properties/decibel.hpp"
 #include "audio/effect/properties/loudness.hpp"

@@ -162,7 +162,7 @@ TEST_F(SavedScripts, AreUsedByTheRunningWorldWithinASecond) {
     EXPECT_GT(before, 0.5);
     save("out.addForce(object, vec2(-10, 0))");
     auto const toasts = player.app().context().toasts.count();
-    player.frames(40); // of a sixtieth of a second each: no clock is waited for
+    player.frames(40); // of a sixtieth of a second each, without waiting for a clock
     EXPECT_EQ(player.app().context().toasts.count(), toasts + 1);
     EXPECT_EQ(player.play().liveMods()->scripts().front().saved, 1);
     double const then = speedOfBox(player);
@@ -213,7 +213,7 @@ TEST_F(SavedScripts, WakeAWindowAtRest) {
     ASSERT_TRUE(player.app().resting());
     save("out.addForce(object, vec2(-10, 0))");
     int frames = 0;
-    while (player.app().resting() && frames < 60) { // as the loop does it: undrawn
+    while (player.app().resting() && frames < 60) { // undrawn, as in the main loop
         player.app().frame(1.0 / 60, false);
         ++frames;
     }

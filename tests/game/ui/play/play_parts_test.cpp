@@ -10,7 +10,7 @@ namespace trembler::ui::test {
 namespace play_parts_test {
 namespace {
 
-/// A file with a level of so many boxes in one place, or side by side.
+/// A file with a level of that many boxes in one place, or side by side.
 std::filesystem::path boxes(int count, double apart) {
     auto const file = testFolder() / "boxes.json";
     std::ofstream(file) << trembler::test::levelOfBoxes(count, apart);

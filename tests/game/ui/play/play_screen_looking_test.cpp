@@ -1,5 +1,5 @@
-// Looking into the world while it runs, with real input events: the inspector, panels, overlays, hints, clips
-// and pictures.
+// Views of a running world, with real input events: the inspector, panels, overlays, hints, clips and
+// pictures.
 #include "tests/game/ui/player.hpp"
 #include "tests/support/read_png.hpp"
 

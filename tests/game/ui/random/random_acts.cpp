@@ -1,4 +1,4 @@
-// What a random player does: one function for each kind of event.
+// The actions of a random player: one function for each kind of event.
 #include "tests/game/ui/random/random_player.hpp"
 #include "tests/support/synthetic_input.hpp"
 
@@ -20,7 +20,7 @@ constexpr std::array<SDL_Keycode, 22> commonKeys{
     SDLK_PLUS,   SDLK_MINUS,  SDLK_PERIOD, SDLK_COMMA, SDLK_INSERT,    SDLK_KP_ENTER};
 constexpr std::array<unsigned, 8> modifierSets{KMOD_NONE,  KMOD_NONE,   KMOD_NONE, KMOD_NONE,
                                                KMOD_LCTRL, KMOD_LSHIFT, KMOD_LALT, KMOD_LCTRL | KMOD_LSHIFT};
-// Without a stroke, which would lead out of the player's folder.
+// Without a slash, which would lead out of the player's folder.
 constexpr std::array<std::string_view, 16> texts{
     "1",       "0",     "-2.5",  "1e9",
     "-",       "0.001", "ball",  "nan",

@@ -97,7 +97,7 @@ std::string RandomPlayer::beginSomewhere() {
         what = "play " + level.filename().string();
         try {
             app_->open(level);
-        } catch (InputError const&) { // it was edited, and is no level any more
+        } catch (InputError const&) { // after editing it is not a level any more
             what += ", which cannot be played";
         }
     }

@@ -1,4 +1,4 @@
-// A player who knows nothing: random events of the mouse, the keyboard and a gamepad, the same for the same
+// A player without knowledge: random events of the mouse, the keyboard and a gamepad, the same for the same
 // seed.
 #pragma once
 
@@ -18,9 +18,9 @@
 namespace trembler::ui::test {
 
 /// Plays the whole program in a folder of its own, which is emptied first: it has copies of the levels and
-/// the mods, and everything that the program writes goes there. Changes the environment, XDG_DATA_HOME among
-/// it, and the working folder. Most events hit something that is on the screen. What the program throws
-/// passes through. Window thread only.
+/// the mods, and everything that the program writes goes there. Changes the environment, including
+/// XDG_DATA_HOME, and the working folder. Most events hit an item on the screen. Exceptions of the program
+/// are passed on. Window thread only.
 class RandomPlayer {
 public:
     RandomPlayer(render::Window& window, GameData const& data, std::filesystem::path folder,
@@ -29,12 +29,12 @@ public:
     RandomPlayer(RandomPlayer const&) = delete;
     RandomPlayer& operator=(RandomPlayer const&) = delete;
 
-    /// One event, or several that belong together, and one or more pictures. Returns what was done, for
+    /// Makes one event, or several that belong together, and one or more pictures. Returns a description for
     /// people.
     std::string act();
     /// Ends the program in order, as on the window's closing; act() must not be called again.
     void end();
-    /// What is wrong with the files that the program has written, for people; empty if nothing is. After
+    /// The errors in the files that the program has written, for people; empty if there are none. After
     /// end().
     [[nodiscard]] std::vector<std::string> faultsOfFiles() const;
 

@@ -1,9 +1,9 @@
 // sweep_input: random input to the whole program for a given time, offscreen: game, menus, free play, editor.
-// Prints a line for each scene that fails and keeps what was done in it; exit status 1 if any failed, or if
+// Prints a line for each scene that fails and keeps its list of events; exit status 1 if any failed, or if
 // memory grows.
 //
 //   sweep_input --minutes 60 --seed 1 --keep failing-input
-//   sweep_input --seed 17 --scenes 1 --tell    # the scene with that seed again, with everything that is done
+//   sweep_input --seed 17 --scenes 1 --tell    # the scene with that seed again, with all its events
 #include "tests/game/ui/player.hpp"
 #include "tests/game/ui/random/random_player.hpp"
 
@@ -65,7 +65,7 @@ double median(std::vector<double> all) {
     return all.empty() ? 0 : *middle;
 }
 
-/// Memory after each scene, when the program has ended: what remains is kept on purpose, or leaks.
+/// Memory after each scene, when the program has ended: the rest is kept on purpose, or leaks.
 class Growth {
 public:
     void look() {
@@ -94,7 +94,7 @@ private:
     std::vector<double> resident_;
 };
 
-/// One scene; throws what the program throws, or std::logic_error.
+/// Plays one scene; throws the program's exceptions, or std::logic_error.
 void play(Arguments const& arguments, std::uint64_t seed, fs::path const& folder, Tally& tally,
           std::set<std::string>& seen) {
     // Written line by line, so that it is complete however the scene ends.
@@ -211,7 +211,7 @@ int main(int argc, char** argv) {
         std::fflush(stdout);
         pid_t const player = fork();
         if (player == 0) {
-            prctl(PR_SET_PDEATHSIG, SIGKILL); // nobody would watch it
+            prctl(PR_SET_PDEATHSIG, SIGKILL); // without the watching process it must end
             int const status = work(arguments, first, folder, end, tally);
             std::fflush(stdout);
             _exit(status);

@@ -64,7 +64,7 @@ inline std::string literalAt(std::string const& source, std::size_t& at) {
     }
 }
 
-/// What is wrong and what was expected instead, of a message that says both.
+/// The fault and the expected condition, of a message that states both.
 inline std::vector<std::string> halvesOf(std::string const& message) {
     static std::string const expected = "; expected ";
     std::size_t const at = message.find(expected);
@@ -72,7 +72,7 @@ inline std::vector<std::string> halvesOf(std::string const& message) {
                                    : std::vector{message.substr(0, at), message.substr(at + expected.size())};
 }
 
-/// Where the bracket at `at` is closed; literals and single characters may hold others.
+/// The place where the bracket at `at` is closed; brackets in literals and characters do not count.
 inline std::size_t closingOf(std::string const& source, std::size_t at) {
     int depth = 0;
     for (; at < source.size(); ++at) {
@@ -98,8 +98,8 @@ inline bool hasWords(std::string const& text) {
     return text.find(' ') != std::string::npos && std::regex_search(text, word);
 }
 
-/// Adds the literals in what a source passes to functions that refuse and complain, or returns as what is
-/// wrong. `onlyBoth`: only of messages that say what was expected, too.
+/// Adds the literals that a source passes to functions that report faults, or returns as a fault. `onlyBoth`:
+/// only of messages that also state the expected condition.
 inline void addMessages(std::string const& source, bool onlyBoth, std::set<std::string>& all) {
     if (onlyBoth && source.find("; expected ") == std::string::npos) {
         return;
@@ -118,7 +118,7 @@ inline void addMessages(std::string const& source, bool onlyBoth, std::set<std::
                 ++at;
                 continue;
             }
-            if (source[at - 1] == 'R') { // as files state it, not said to people
+            if (source[at - 1] == 'R') { // a file's content, not a message
                 at = std::min(source.find(")\"", at), source.size() - 2) + 2;
                 continue;
             }
@@ -136,7 +136,7 @@ inline void addMessages(std::string const& source, bool onlyBoth, std::set<std::
     }
 }
 
-/// What the classes without a window refuse, and what they say is wrong with files.
+/// The refusals of classes without a window, and their messages about files.
 inline std::set<std::string> messagesOfTheProgram() {
     std::set<std::string> all;
     forEachSource({"runtime/level/build", "runtime/level/json", "runtime/level/model",

@@ -35,7 +35,7 @@ TextMap textsIn(fs::path const& file) {
     return nlohmann::json::parse(in).get<TextMap>();
 }
 
-/// Those of a language that are looked up by their English text; names of objects are not among them.
+/// The texts of a language that are looked up by their English text, without names of objects.
 TextMap byEnglish(std::string_view language) {
     TextMap all;
     for (auto const& entry : fs::directory_iterator(textFolder() / language)) {
@@ -114,7 +114,7 @@ std::set<std::string> spokenToPlayers() {
     return all;
 }
 
-/// The ids of the words of goals: of the kinds of conditions, and of what their schemas say is in them.
+/// The ids of the words of goals: of the kinds of conditions, and of their members by their schemas.
 std::set<std::string> idsOfGoalWords() {
     std::set<std::string> words{"part"}; // of a selector
     for (ConditionOutline const& outline : conditionOutlines()) {
@@ -183,8 +183,8 @@ TEST(Texts, WhatIsSaidInEnglishIsSaidInEveryLanguage) {
     }
 }
 
-// Refusals, and what is wrong with levels, parts and scripts, reach the window as the English texts of
-// classes without one.
+// Refusals and faults of levels, parts and scripts reach the window as the English texts of classes without
+// one.
 TEST(Texts, WhateverIsRefusedIsSaidInEveryLanguage) {
     // Lines of Lua and of JSON, as they are to be written.
     std::set<std::string> const code{

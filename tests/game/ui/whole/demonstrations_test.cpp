@@ -1,4 +1,4 @@
-// Demonstrations: what happens by itself is no success of the player's, their task is.
+// Demonstrations: goals reached without the player are no success, only the task is.
 #include "runtime/placement.hpp"
 #include "tests/game/ui/player.hpp"
 

@@ -1,5 +1,5 @@
-// The game in German: whatever it draws on any of its screens, by any of its ways to draw, is not English.
-// What levels, parts and mods say is theirs, as far as their files have no German.
+// The game in German: no text that it draws on any of its screens, by any of its functions, is English. The
+// words of levels, parts and mods are exempt where their files have no German.
 #include "game/ui/app/menu/settings_page.hpp"
 #include "game/ui/app/title/title_screen.hpp"
 #include "game/ui/shared/texts.hpp"
@@ -79,7 +79,7 @@ std::set<std::string> englishWords() {
     return english;
 }
 
-/// What levels, chapters, parts and mods say in English.
+/// The English words of levels, chapters, parts and mods.
 std::set<std::string> wordsOfData() {
     std::set<std::string> words;
     for (char const* const folder : {"levels", "assets/parts", "mods"}) {
@@ -108,7 +108,7 @@ protected:
     }
     ~German() override { useLanguage("en"); }
 
-    /// `data`: levels, parts or mods speak here, too.
+    /// `data`: the screen shows words of levels, parts or mods, too.
     void look(std::string const& screen, bool data = true) {
         static std::set<std::string> const english = englishWords();
         static std::set<std::string> const allowed = wordsOfData();
@@ -140,7 +140,7 @@ protected:
     }
 
     Player player;
-    std::set<std::string> own; // what the file that is edited says itself
+    std::set<std::string> own; // the words of the edited file
 };
 
 TEST_P(German, TitleAndMenus) {

@@ -1,4 +1,4 @@
-// Messages lie on nothing that the player must see.
+// Messages cover nothing that the player must see.
 #include "tests/game/ui/drawn_text.hpp"
 #include "tests/game/ui/player.hpp"
 

@@ -12,8 +12,8 @@ namespace trembler::ui::test {
 namespace outlines_test {
 namespace {
 
-/// How far something that is not transparent reaches beyond what it is clipped at, pixels; of all windows of
-/// these names.
+/// How far an area that is not transparent reaches beyond its clip rectangle, pixels; of all windows of these
+/// names.
 float cutFrom(std::span<std::string_view const> windows) {
     ImGui::Render(); // does nothing if the picture was drawn
     ImDrawData const& data = *ImGui::GetDrawData();

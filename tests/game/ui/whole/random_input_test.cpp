@@ -1,4 +1,4 @@
-// Some scenes of random input, the same in every run; sweep_input plays as many as one likes.
+// Some scenes of random input, the same in every run; sweep_input plays any number of them.
 #include "tests/game/ui/player.hpp"
 #include "tests/game/ui/random/random_player.hpp"
 #include "tests/support/sanitizer.hpp"

@@ -1,4 +1,4 @@
-// The window changes its size while something is going on: nothing is lost and nothing is left outside.
+// The window changes its size while a level, menu or editor is in use: nothing is lost or left outside.
 #include "tests/game/ui/edit/editor_kit.hpp"
 #include "tests/game/ui/tidy.hpp"
 

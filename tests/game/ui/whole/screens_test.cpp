@@ -183,7 +183,7 @@ TEST(GamepadAlone, MenusAreUsedAndALevelIsOpened) {
     pad.press(player, SDL_CONTROLLER_BUTTON_B);
     EXPECT_FALSE(player.app().menu().isOpen());
     for (int i = 0; i < 3; ++i) {
-        pad.push(player, SDL_CONTROLLER_AXIS_LEFTY, 30000); // the stick does what the pad does
+        pad.push(player, SDL_CONTROLLER_AXIS_LEFTY, 30000); // the stick acts like the directional pad
     }
     EXPECT_FALSE(player.app().menu().isOpen());
     for (int i = 0; i < 3; ++i) {
@@ -249,7 +249,7 @@ TEST(AtRest, NothingIsDrawnOnAnyScreen) {
     expectRest("the panel of mods");
     player.open(levelsFolder() / "first/2-into-the-basket.json");
     player.key(SDLK_b);
-    player.frames(60); // in these and those of expectRest() the message about it goes
+    player.frames(60); // in these, and the frames of expectRest(), its message disappears
     expectRest("a level with a time budget");
     auto const toasts = player.app().context().toasts.count();
     player.key(SDLK_PERIOD);
@@ -338,7 +338,8 @@ TEST(Stars, AThirdOfOneLevelIsNotTheSecondOfAnother) {
     int galleries = 0;
     for (CatalogGroup const& chapter : levels.groups()) {
         for (CatalogEntry const& entry : chapter.levels) {
-            // Of the first puzzle three kinds are found, of the second one, and two of every other.
+            // Three kinds of solution are found for the first puzzle, one for the second, and two for every
+            // other.
             int const kinds = chapter.gallery ? 3 : puzzles == 0 ? 3 : puzzles == 1 ? 1 : 2;
             (chapter.gallery ? galleries : puzzles) += 1;
             progress.markSolved(entry.id);

@@ -1,4 +1,4 @@
-// Circuits that are open because of something else than a missing touch: the answer names it, and no gap.
+// Circuits that are open for another reason than a missing contact: the answer names it, and no gap.
 #include "insight/miss/current/switched_links.hpp"
 #include "insight/why/words/words.hpp"
 #include "runtime/level/json/json_document.hpp"
@@ -14,7 +14,7 @@ namespace trembler::insight {
 namespace switched_links_test {
 namespace {
 
-/// What is told of a recorded solution that does not solve its level.
+/// The explanation for a recorded solution that does not solve its level.
 Miss missIn(std::string const& file, std::string const& solution) {
     LevelFile const level = loadLevel(gameData().registry, testedFile(file));
     Solution const& asked = *level.findSolution(solution);
@@ -29,7 +29,7 @@ std::string told(Miss const& miss, AnswerLanguage const& language = AnswerLangua
     return all;
 }
 
-// The generator's coil and its source lie 15 cm apart, also while they are connected.
+// The generator's coil and its source are always 15 cm apart, also while they are connected.
 TEST(SwitchedLinks, AGeneratorThatStandsIsNoGap) {
     Miss const miss = missIn("2-electricity/6-slowly-does-it.json", "no hand turns the crank");
     ASSERT_EQ(miss.lack, Lack::gap);
@@ -49,7 +49,7 @@ TEST(SwitchedLinks, AGeneratorThatStandsIsNoGap) {
         << told(miss, AnswerLanguage(german));
 }
 
-// The fuse lies in its holder, and no touch would help.
+// The fuse is in its holder, and no contact would help.
 TEST(SwitchedLinks, ABlownFuseIsNoGap) {
     Miss const miss = missIn("2-electricity/4-one-load-too-many.json", "rubber carries no current");
     std::string const words = told(miss);
@@ -58,8 +58,8 @@ TEST(SwitchedLinks, ABlownFuseIsNoGap) {
     EXPECT_NE(words.find("There were 3 too few"), std::string::npos) << words;
 }
 
-/// A lamp, a source and a return, wired to each other but for a place where a sound sensor lies on two
-/// conductors, onto which it falls, not as loudly as it takes.
+/// A lamp, a source and a return, wired to each other except for a gap. A sound sensor on two conductors
+/// would close it, but it falls onto them too quietly to switch.
 LevelFile sensorLevel() {
     std::string const text = R"({"version": 2, "title": "Ear",
   "world": {"gravity": [0, -9.81], "bounds": [-10, -10, 20, 20]},
@@ -115,8 +115,8 @@ bool solvedIn(LevelFile const& level) {
     return LevelRuns(gameData(), level).run({}, {.frames = 240}).solved;
 }
 
-// Each source drives its current through its own network: alone the battery lights the lamp; in the circuit
-// of the mains it is not told to be a gap between its ends that something should be laid across.
+// Each source drives its current through its own network: alone, the battery lights the lamp; in the circuit
+// of the mains, the answer must not suggest laying something across its ends as if it were a gap.
 TEST(SwitchedLinks, ABatteryAcrossAGapOfTheMainsIsSaidToPassNoOtherCurrent) {
     EXPECT_TRUE(solvedIn(batteryLevel(false, true)));
     LevelFile const both = batteryLevel(true, true);
@@ -137,7 +137,7 @@ TEST(SwitchedLinks, ACircuitWithoutASourceIsSaidToHaveNone) {
               "No current flowed through the lamp: it has no source within reach, at the start. ");
 }
 
-// The nearer to what it needs, the nearer the miss: a search can climb there.
+// The faster the generator turns, the nearer the miss, so that a search can improve step by step.
 TEST(SwitchedLinks, TheFasterAGeneratorTurnsTheNearerItIs) {
     Miss const standing = missIn("2-electricity/6-slowly-does-it.json", "no hand turns the crank");
     Miss const turning = missIn("2-electricity/6-slowly-does-it.json", "too light");

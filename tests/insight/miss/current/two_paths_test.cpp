@@ -17,7 +17,7 @@ struct DrawnLink {
     double cost;
 };
 
-/// The least cost of two paths from vertex 0 to `first` and to `second` without common vertices but 0.
+/// The least cost of two paths from vertex 0 to `first` and to `second` that share only vertex 0.
 double leastCostByTrial(std::size_t vertices, std::vector<DrawnLink> const& links, std::size_t first,
                         std::size_t second) {
     double best = std::numeric_limits<double>::infinity();

@@ -1,4 +1,4 @@
-// What a liquid lacks, against Archimedes' principle by hand.
+// The lift that a liquid lacks, compared with Archimedes' principle by hand.
 #include "insight/miss/lift/lift.hpp"
 #include "physics/depth.hpp"
 #include "runtime/level/json/json_document.hpp"
@@ -15,7 +15,7 @@ namespace {
 
 constexpr double gravity = 9.81;
 
-/// A basin of water up to y = 0, a plank in it that a goal wants higher, and what lies on the plank.
+/// A basin of water up to y = 0, a plank in it that a goal requires higher, and objects on the plank.
 LevelFile basin(double density, std::string const& more = "", std::string const& area = "[-9, 0.2, 18, 2]",
                 std::string const& goal = "") {
     std::string const text = R"({"version": 2, "title": "Basin",
@@ -31,7 +31,7 @@ LevelFile basin(double density, std::string const& more = "", std::string const&
     return readLevel(gameData().registry, JsonDocument::parse(text, "basin.json"));
 }
 
-/// How nearly the goal was met in the first frame, explained.
+/// The explained miss of a run of that many frames.
 Miss missIn(LevelFile const& level, std::uint64_t frames = 1) {
     return explainedMiss(level, frames);
 }
@@ -43,7 +43,7 @@ Miss const* lackIn(Miss const& miss, Lack lack) {
 }
 
 TEST(Lift, OfAPlankThatShouldLieHigherIsWhatItWouldDisplaceThere) {
-    // Where its centre should be, half of what is 0.2 m high would be in the water.
+    // With its centre there, half of its height of 0.2 m would be in the water.
     Miss const miss = missIn(basin(800, "", "[-9, 0, 18, 2]"));
     ASSERT_EQ(miss.lack, Lack::distance);
     Miss const* const lift = lackIn(miss, Lack::lift);
@@ -81,13 +81,13 @@ TEST(Lift, OfWhatSinksSlowlyIsToldOfTheMomentAtWhichItBeganTo) {
     ASSERT_NE(lift, nullptr);
     double const missing = (density - 1000) * 2 * 0.2 * worldDepth * gravity;
     EXPECT_NEAR(lift->by, missing, 0.01 * missing);
-    // It falls freely at most, under what it lacks: by less than it may sink in the frames before that
-    // moment.
+    // It falls freely at most, under the lift that it lacks: in the frames before that moment by less than it
+    // may sink.
     EXPECT_LT(lift->frame, sunk.frame);
     double const time = static_cast<double>(lift->frame) * frameDuration;
     EXPECT_GT(missing / (density * 2 * 0.2 * worldDepth) / 2 * time * time, 0.8 * deep);
     EXPECT_LT(time, 1);
-    // Explained frame by frame: when it ended, less than a millimetre was missing.
+    // Explained frame by frame: when the goal ended, less than a millimetre was missing.
     Miss const then = missIn(level, lift->frame);
     ASSERT_EQ(then.besides.size(), 1U);
     EXPECT_LT(then.besides.front().by, deep);
@@ -106,13 +106,13 @@ TEST(Lift, BearsWhatLiesOnItAndIsTurnedByIt) {
     ASSERT_EQ(miss.lack, Lack::distance);
     double const weight = 700 * 2 * 0.2 * worldDepth * gravity;
     double const lifted = 1000 * 2 * 0.2 * worldDepth * gravity;
-    double const load = 2 * (3000 - 1000) * 0.2 * 0.2 * worldDepth * gravity; // they displace water, too
+    double const load = 2 * (3000 - 1000) * 0.2 * 0.2 * worldDepth * gravity; // stones displace water
     Miss const* const lift = lackIn(miss, Lack::lift);
     ASSERT_NE(lift, nullptr);
     EXPECT_NEAR(lift->by, weight + load - lifted, 1);
     Miss const* const torque = lackIn(miss, Lack::torque);
     ASSERT_NE(torque, nullptr);
-    EXPECT_NEAR(torque->by, load * 0.8, 0.05 * load); // what it displaces itself lifts it in the middle
+    EXPECT_NEAR(torque->by, load * 0.8, 0.05 * load); // its own lift acts in the middle
     EXPECT_EQ(torque->names, (std::vector<std::string>{"water", "plank", "stone", "top"}));
 }
 

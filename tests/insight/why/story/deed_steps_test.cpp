@@ -1,4 +1,4 @@
-// What the player did is named in the answer, wherever the level is not solved without it.
+// The answer names the player's actions wherever the level is not solved without them.
 #include "insight/why/story/deed_steps.hpp"
 #include "insight/why/words/words.hpp"
 #include "puzzle/campaign/as_played.hpp"
@@ -16,7 +16,7 @@ namespace trembler::insight {
 namespace deed_steps {
 namespace {
 
-/// The steps by hand that are known to be causes.
+/// The steps by the player's hand that are known to be causes.
 std::vector<Step> deedsIn(Answer const& answer) {
     std::vector<Step> deeds;
     for (ChainStep const& one : answer.chain) {
@@ -37,8 +37,8 @@ std::string words(Answer const& answer) {
 
 struct Count {
     int met = 0;      ///< goals that recorded solutions meet
-    int byItself = 0; ///< of them, those that the level meets hands off by then
-    int named = 0;    ///< of the others, those whose answer names something that the player did
+    int byItself = 0; ///< of them, those met without the player by that frame
+    int named = 0;    ///< of the others, those whose answer names an action of the player
 };
 
 /// Asks of every recorded solution that solves the level why each goal is met.
@@ -54,7 +54,7 @@ Count askAll(std::filesystem::path const& file) {
                 continue;
             }
             ++count.met;
-            // As long as why() waits.
+            // The time that why() allows.
             std::uint64_t const horizon = *goal.frame + std::max<std::uint64_t>(60, *goal.frame / 4);
             auto const alone = runs.run({}, {.frames = horizon, .stopWhenSolved = false});
             if (std::any_of(alone.goals.begin(), alone.goals.end(),
@@ -76,8 +76,8 @@ Count askAll(std::filesystem::path const& file) {
     return count;
 }
 
-// The laboratory's door: a switch, a fuse that is pulled, a cable that is cut, and what is laid there, none
-// of which the trace connects with the door.
+// The laboratory's door: a switch, a fuse that is pulled, a cable that is cut, and an object that is laid
+// there; the trace connects none of them with the door.
 TEST(DeedSteps, EachWayThroughTheLaboratorysDoorNamesWhatWasDone) {
     Count const count = askAll(testedFile("5-everything/1-the-laboratory-door.json"));
     EXPECT_GE(count.met, 8);
@@ -127,7 +127,7 @@ TEST(DeedSteps, BothEndsOfAShortCircuitAreNamed) {
         << words(answer);
 }
 
-// That the block falls follows from nothing that the trace connects with the wire.
+// The trace does not connect the fall of the block with the wire.
 TEST(DeedSteps, ACutWireIsNamed) {
     LevelFile const level = loadLevel(gameData().registry, testedFile("3-magnets/6-the-crane.json"));
     LevelRuns const runs(gameData(), level);

@@ -16,7 +16,7 @@ ChainStep step(StepKind kind, std::string const& object, std::vector<std::size_t
     return made;
 }
 
-/// A switch, then current and magnet in turn so many times, then a bell.
+/// A switch, then current and magnet in turn, that many times, then a bell.
 std::vector<ChainStep> doorbell(std::size_t times) {
     std::vector<ChainStep> chain{step(StepKind::placed, "switch", {})};
     for (std::size_t i = 0; i < times; ++i) {

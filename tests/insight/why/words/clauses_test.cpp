@@ -60,7 +60,7 @@ TEST(Clauses, InflectWhatTheyName) {
               "weil der Korken aus dem Wasser herauskommt");
 }
 
-// What was placed is the part, and not the piece of it that something touches.
+// The player has placed the part, not the piece of it that touches something.
 TEST(Clauses, NameThePartThatWasPlaced) {
     SceneFacts facts;
     facts.placementOf = {{"wire 1 left end", 0}, {"wire 1 link 1", 0},    {"wire 1 right end", 0},
@@ -97,7 +97,7 @@ TEST(Clauses, KnowTheNamesOfAllParts) {
     }
 }
 
-// Whatever touches something in a level of the game may be told, its pieces included.
+// Any object of a level that touches something may occur in an answer, also as a piece.
 TEST(Clauses, KnowTheNamesOfAllObjectsOfAllLevels) {
     std::set<std::string> names;
     for (std::filesystem::path const& file : gameData().levels()) {

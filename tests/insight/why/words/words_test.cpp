@@ -1,4 +1,4 @@
-// What is said of a miss, and that it says nothing false of what had held.
+// The words about a miss, which say nothing false about a condition that had held.
 #include "insight/why/words/words.hpp"
 #include "runtime/level/json/json_document.hpp"
 #include "runtime/level/read/read_level.hpp"
@@ -27,14 +27,14 @@ Miss lacking(Lack lack, double by, std::uint64_t frame, std::vector<std::string>
     return miss;
 }
 
-/// A goal that held until frame 60, and what ended it.
+/// A goal that held until frame 60, and the cause of its end.
 Miss ended(Miss const& by) {
     Miss miss = lacking(Lack::time, 2, 60, {});
     miss.besides = {by};
     return miss;
 }
 
-/// What is said of that beside the missing time.
+/// The words about that cause, besides the missing time.
 Sentences endOf(Miss const& by, AnswerLanguage const& language = AnswerLanguage()) {
     Sentences all = sentencesOf(ended(by), language);
     all.erase(all.begin());
@@ -64,8 +64,8 @@ TEST(Words, WhatNeverHeldIsSaidNotToHave) {
               Sentences{"The ball never was as it should be."});
 }
 
-// One of several conditions that must hold at once may have held at another moment, and so may what stood in
-// the way besides.
+// One of several conditions that must hold at once may have held at another moment, and an obstacle may have
+// been absent then.
 TEST(Words, WhatDidNotHoldAtOneMomentIsNotSaidNeverToHave) {
     Miss part = lacking(Lack::change, 1, 60, {"ball"});
     part.child = 1;
@@ -103,7 +103,7 @@ TEST(Words, RoundForcesAsPeopleWould) {
     }
 }
 
-// What else stood in the way of it then may never have been otherwise.
+// Whether a further obstacle was ever absent is not known.
 TEST(Words, OfWhatStoodInTheWayBesidesSayOnlyHowItWas) {
     Miss away = lacking(Lack::distance, 2, 90, {"ball", "floor"});
     away.besides = {lacking(Lack::change, 1, 0, {"magnet"})};

@@ -1,5 +1,5 @@
-// What scripts read of derived property sets: by a list of the world, which is read once in a turn, and by
-// handles out of it.
+// Scripts' reads of derived property sets: by a list of the world, which is read once in a turn, and by
+// handles from it.
 #include "tests/lua/support/script_world.hpp"
 
 #include <fmt/format.h>
@@ -15,8 +15,8 @@ constexpr char const* weighing = "return interaction { name = \"Dynamics <- Test
                                  "    log(entry.object.Mass.value, entry.force.y, entry.rate)\n"
                                  "    out.addForce(entry.object, -entry.force)\n  end\nend }";
 
-// What it sees in a frame is what the set has derived in this frame, not what it was shown before: each turn
-// looks once, and again in the next one.
+// A script sees the values that the set has derived in this frame, not those of an earlier one: each turn
+// reads them once, and the next turn again.
 TEST(DerivedReads, AreThoseOfThisFrame) {
     for (Trust const trust : {Trust::untrusted, Trust::trusted}) {
         ScriptedGame game({weighing}, trust);
@@ -56,7 +56,7 @@ TEST(DerivedReads, HaveWeightAndCounterForceCancelled) {
     EXPECT_NEAR(world.find<Velocity>(box)->value.y, 0, 1e-4);
 }
 
-// It may write into the lists that it was shown: they are its own, for this turn.
+// A script may write into the lists that it was shown: they are its own, for this turn.
 TEST(DerivedReads, AreShownAnewInEachTurn) {
     ScriptedGame game(
         {"return interaction { name = \"Dynamics <- Test\", calls = \"Dynamics\", once = true,\n"
@@ -102,7 +102,7 @@ TEST(DerivedReads, AreErrorsInWordsWhereTheyAreWrong) {
     }
 }
 
-// A derived property set has no functions: none can be named as what a script calls.
+// A derived property set has no functions, so a script cannot name one as its resolver.
 TEST(DerivedReads, NoScriptCallsADerivedPropertySet) {
     try {
         ScriptedGame const game({"return interaction { name = \"Linear Gravity <- Test\", calls = \"Linear "

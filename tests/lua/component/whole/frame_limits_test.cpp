@@ -16,7 +16,7 @@ std::string limitedScript(std::string const& limits, std::string const& body,
            body + "\nend }";
 }
 
-/// A world of boxes whose frames have so many parts.
+/// A world of boxes whose frames have that many parts.
 struct PartedWorld {
     PartedWorld(std::string const& source, int parts, Trust trust, int boxes = 1)
         : game({source}, trust), world(game.registry) {
@@ -69,7 +69,7 @@ TEST(FrameLimits, AreOfAllTurnsOfAFrameTogether) {
     }
 }
 
-// It is stopped in the fourth turn of the first frame that has so many, and not in a later one.
+// The script is stopped in the fourth turn of the first frame with four parts, and not in a later one.
 TEST(FrameLimits, StopATurnAndNotALaterFrame) {
     std::string const source =
         limitedScript("instructions = 3000, instructions_per_object = 0",
@@ -79,7 +79,7 @@ TEST(FrameLimits, StopATurnAndNotALaterFrame) {
     EXPECT_EQ(said.find("\n5\n"), std::string::npos) << said;
 }
 
-// What is per object is added in each turn again: 2 calls for each of 20 boxes, with a limit of 2.
+// Limits per object are added in each turn: 2 calls for each of 20 boxes, with a limit of 2.
 TEST(FrameLimits, PerObjectAreOfEachTurn) {
     std::string const source =
         limitedScript("instructions = 1000, instructions_per_object = 100, calls = 0, calls_per_object = 2",
@@ -103,7 +103,7 @@ TEST(FrameLimits, LogLinesAreOfAFrame) {
     EXPECT_EQ(PartedWorld(source, 8, Trust::untrusted).after(2), "1\n2\n3\n9\n10\n11\n");
 }
 
-// About half of what a frame may allocate, in each turn.
+// About half of the memory that a frame may allocate, in each turn.
 TEST(FrameLimits, AllocatedMemoryIsOfAFrame) {
     std::string const source = limitedScript("instructions = 200000, instructions_per_object = 2000",
                                              "for i = 1, 300 do local t = { i } end", "each = { \"Mass\" }");

@@ -1,5 +1,5 @@
-// Hostile scripts in a world: each ruins its own interaction and nothing else. A level with another script in
-// it goes on, bit for bit, as if the hostile one were not there. No time is measured.
+// Hostile scripts in a world: each stops its own interaction and nothing else. A level with another script
+// continues, bit for bit, as if the hostile one did not exist. No time is measured.
 #include "tests/lua/support/hostile_scripts.hpp"
 #include "tests/lua/support/script_world.hpp"
 
@@ -52,7 +52,7 @@ struct Outcome {
     int errors = 0; // of the hostile script
     int errorsOfOthers = 0;
     int lines = 0;
-    std::string said; // by the hostile script, in errors
+    std::string said; // the errors of the hostile script
 };
 
 Outcome play(std::vector<std::string> const& sources, int threads, int length = frames) {

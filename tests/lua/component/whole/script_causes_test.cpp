@@ -1,5 +1,4 @@
-// The causes of a script's calls in the trace: the causes that the host states, and none that a script makes
-// up.
+// The causes of a script's calls in the trace: the causes that the host states; a script cannot invent any.
 #include "tests/lua/support/script_world.hpp"
 
 #include <algorithm>
@@ -103,7 +102,7 @@ TEST(ScriptCauses, AreNoneWhereTheHostKnowsNone) {
     EXPECT_EQ(calls, 3);
 }
 
-// From the contact to the script, and from the script to what its resolver does.
+// From the contact to the script, and from the script to its resolver's events.
 TEST(ScriptCauses, ACallIsTheCauseOfWhatItsResolverDoes) {
     TracedFall const fall(
         "return interaction { name = \"Population <- Test\", calls = \"Population\",\n"

@@ -1,5 +1,5 @@
 // The levels of the mods that come with the program: they are valid, the same on any number of threads, and
-// won by nothing but what their mod does.
+// only won by the effects of their mod.
 #include "puzzle/run/runner.hpp"
 #include "puzzle/solutions/verify.hpp"
 #include "tests/lua/support/bundled_mods.hpp"

@@ -22,7 +22,7 @@ std::string callersBetween(World const& world, std::string const& a, std::string
     return connectionBetween(world.store(), world.store().find(a), world.store().find(b)).names();
 }
 
-// Of each period the spark takes its part, to the frame: for as long is the lamp lit.
+// The spark lasts for its share of every period, to the frame; the lamp is lit for the same time.
 TEST(TeslaCoilMod, SparksForItsPartOfEveryPeriod) {
     auto const game = gameWith({"tesla-coil"});
     auto const world =
@@ -92,7 +92,7 @@ double timeUntilLit(World& world, double most) {
     return world.time();
 }
 
-// What approaches its final value F with the time constant T passes the share s of it after -T ln(1 - s).
+// A value that approaches F with the time constant T passes the share s of F after -T ln(1 - s).
 TEST(HumidAirMod, ConductsAfterTheTimeThatItTakesToBecomeHumid) {
     auto const game = gameWith({"humid-air"});
     for (double const share : {0.3, 0.8, 0.95}) {
@@ -126,7 +126,8 @@ TEST(HumidAirMod, ConductsAfterTheTimeThatItTakesToBecomeHot) {
     EXPECT_EQ(errorsOf(*game), "");
 }
 
-// 5.7.2: one connection with two causes. Each counts for itself, and while one is left nothing is broken.
+// 5.7.2: one connection with two causes. Each is counted separately, and while one remains the connection
+// stays.
 TEST(HumidAirMod, TwoCausesOfOneConnectionEndOneByOne) {
     auto const game = gameWith({"humid-air"});
     auto const world = worldOf(

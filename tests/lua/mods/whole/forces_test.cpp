@@ -9,7 +9,7 @@
 namespace trembler::lua {
 namespace {
 
-// m g = c (w - v)^2 where a box in a wind from below has come to its speed.
+// m g = c (w - v)^2 for a box that has reached its final speed in a wind from below.
 TEST(WindMod, ABoxInAnUpdraughtComesToItsTerminalSpeed) {
     auto const game = gameWith({"wind"});
     auto const world = worldOf(*game, R"(

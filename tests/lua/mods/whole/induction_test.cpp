@@ -74,7 +74,7 @@ TEST(InductionMod, OnlyMotionBetweenTheTwoInduces) {
     }
 }
 
-// What the circuit gets is what the motion loses.
+// The energy of the circuit is the loss of the motion.
 TEST(InductionMod, TheCurrentTakesItsEnergyFromTheMotion) {
     auto const game = gameWith({"induction"});
     auto const world = worldOf(*game, R"(
@@ -101,7 +101,7 @@ TEST(InductionMod, TheCurrentTakesItsEnergyFromTheMotion) {
     EXPECT_NEAR(before - motion(), supplied, 0.05 * supplied);
 }
 
-// The sixth power of the distance, and the sum over all that is near.
+// The sixth power of the distance, summed over all objects that are near.
 TEST(MetalDetectorMod, VoltageFallsWithTheSixthPowerOfTheDistance) {
     auto const game = gameWith({"metal-detector"});
     auto const world = worldOf(*game, R"(

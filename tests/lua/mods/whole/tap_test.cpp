@@ -16,7 +16,7 @@ std::string tapOf(double rate, int most) {
         rate, most);
 }
 
-/// Which of the tap's first drops are there.
+/// How many of the tap's first drops exist.
 int dropsIn(World const& world, int ofFirst) {
     int there = 0;
     for (int number = 1; number <= ofFirst; ++number) {
@@ -27,7 +27,7 @@ int dropsIn(World const& world, int ofFirst) {
 
 class TapRate : public testing::TestWithParam<double> {};
 
-// What is called for in a frame is there in the next one.
+// An object that is requested in a frame exists in the next one.
 TEST_P(TapRate, AfterATimeThereAreThatManyDrops) {
     double const rate = GetParam();
     auto const game = gameWith({"tap"});

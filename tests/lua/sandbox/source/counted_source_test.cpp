@@ -115,7 +115,7 @@ TEST(CountedSource, KeepsTheLines) {
     EXPECT_EQ(failed->message, "lines.lua:5: here");
 }
 
-// By hand: a body's tokens, two to an instruction, as often as it is run.
+// By hand: half of a body's tokens, for each time that it runs.
 TEST(CountedSource, CountsABodyAsOftenAsItIsRun) {
     double const once = instructionsOf("local n = 0 for i = 1, 1 do n = n + i end");
     for (int const times : {2, 10, 100}) {
@@ -125,7 +125,7 @@ TEST(CountedSource, CountsABodyAsOftenAsItIsRun) {
     EXPECT_EQ(instructionsOf("local n = 0 for i = 1, 1e9 do n = n + i end"), -1);
 }
 
-// Texts of random statements: what the compiler makes of them does not change what is counted.
+// Texts of random statements: compiling does not change the count.
 TEST(CountedSource, CountsTheSameWhetherCompiledOrNot) {
     std::mt19937 random(7);
     std::function<std::string(int)> const statements = [&](int depth) {

@@ -130,7 +130,7 @@ TEST(SpreadVectors, ChangeNoCall) {
     }
 }
 
-// As of any other argument: the script, the line, the argument, what it is and what is expected.
+// As for any other argument: the script, the line, the argument, its value and the expected one.
 TEST(SpreadVectors, ErrorsAreInTheWordsOfArguments) {
     struct Case {
         std::string x;

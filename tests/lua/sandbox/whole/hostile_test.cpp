@@ -1,5 +1,5 @@
-// Every script of tests/lua/hostile/chunk, each named for what it tries: it is stopped, and the state is as
-// good as new afterwards. No time is measured: that the test ends is what it is about.
+// Every script of tests/lua/hostile/chunk, each named after its attack: it is stopped, and the state works as
+// before. No time is measured: the test passes if it ends.
 #include "lua/sandbox/sandbox.hpp"
 #include "lua/sandbox/stack_values.hpp"
 #include "tests/lua/support/hostile_scripts.hpp"
@@ -39,7 +39,7 @@ std::optional<ScriptError> turnOf(Sandbox& sandbox, std::size_t objects = 1) {
     });
 }
 
-// What a script of a good turn sees, as one line.
+// The globals that a script sees in a valid turn, as one line.
 std::string surroundings(Sandbox& sandbox) {
     std::string seen;
     sandbox.onLog = [&](std::string const& line) { seen += line + "\n"; };

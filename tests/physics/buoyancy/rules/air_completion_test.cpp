@@ -1,4 +1,4 @@
-// Which objects the air acts on without being stated.
+// The objects on which air acts although they do not state it.
 #include "physics/buoyancy/rules/air_completion.hpp"
 #include "tests/physics/buoyancy/pool.hpp"
 

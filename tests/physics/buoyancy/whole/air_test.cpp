@@ -74,7 +74,7 @@ TEST(Air, DragEndsTheAcceleration) {
 TEST(Air, ABalloonHoversWithTheWeightThatItCarries) {
     double const carried = (1.2 - balloonDensity) * balloonVolume; // kg
     struct Case {
-        double share; // of that
+        double share; // of `carried`
         double least; // m that the weight moves in 5 s
         double most;
     };
@@ -96,7 +96,7 @@ TEST(Air, ActsOnHeavyBodiesOnlyIfTheWorldStatesIt) {
     auto const fall = [](bool balloon, bool stated) {
         Pool pool;
         if (stated) {
-            stateAir(pool, {.density = 65, .linearDrag = 0, .quadraticDrag = 0}); // that of Venus
+            stateAir(pool, {.density = 65, .linearDrag = 0, .quadraticDrag = 0}); // the air of Venus
         }
         ObjectId const stone = pool.body("stone", boxPiece(0.3, 0.2), {0, 0}, 2600, 0.3);
         if (balloon) {

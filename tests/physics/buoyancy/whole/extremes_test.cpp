@@ -23,7 +23,7 @@ INSTANTIATE_TEST_SUITE_P(Levels, Extremes, ::testing::Values("exact", "particles
 TEST_P(Extremes, AnyDensityStaysFiniteAndLightBodiesDoNotFlyAway) {
     Pool pool(options());
     pool.water();
-    pool.withoutAir(); // in which the lightest of these bodies would rise further
+    pool.withoutAir(); // in air the lightest of these bodies would rise further
     pool.fixed("floor", boxPiece(100, 1), {0, -12.5});
     std::vector<std::pair<ObjectId, double>> bodies;
     int column = 0;
@@ -45,7 +45,7 @@ TEST_P(Extremes, AnyDensityStaysFiniteAndLightBodiesDoNotFlyAway) {
         }
     }
     // From a depth of 3 m a cork without drag would rise by 3 m times the ratio of the densities; with drag,
-    // only a little.
+    // it rises only a little.
     EXPECT_LT(highest, 1.5);
     for (auto const& [id, ratio] : bodies) {
         if (ratio < 0.9) {
@@ -60,7 +60,7 @@ TEST_P(Extremes, AnyDensityStaysFiniteAndLightBodiesDoNotFlyAway) {
 TEST_P(Extremes, AFastBodyStopsInTheWater) {
     Pool pool(options());
     pool.water();
-    pool.withoutAir(); // in which bodies of 1 kg/m³ would rise
+    pool.withoutAir(); // in air bodies of 1 kg/m³ would rise
     pool.fixed("floor", boxPiece(100, 4), {0, -52});
     std::vector<ObjectId> bodies;
     for (double const speed : {10.0, 100.0, 1000.0}) {

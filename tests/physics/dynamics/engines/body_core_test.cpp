@@ -66,7 +66,7 @@ TEST(BodyCore, OfSinglePiecesIsNineTenthsOfTheirInscribedCircle) {
     Shape const capsule{{capsulePiece(3, 0.25)}};
     EXPECT_DOUBLE_EQ(coreOf(specOf(capsule)).radius, 0.225);
     EXPECT_DOUBLE_EQ(extentOf(specOf(capsule)), 1.5);
-    // Of several pieces that of the one with the largest circle, relative to the centre of mass of all.
+    // Of several pieces, the largest of their circles, relative to the centre of mass of all.
     Shape const hammer{{boxPiece(0.2, 4), boxPiece(1, 1, {0, 2})}};
     BodyCore const head = coreOf(specOf(hammer));
     EXPECT_DOUBLE_EQ(head.radius, 0.45);

@@ -427,7 +427,7 @@ TEST(Swap, ARestingPileStaysInPlace) {
     for (ObjectId const box : boxes) {
         places.push_back(scene.at(box));
     }
-    // Engines differ in how deep things sink into each other, but not by more than their skins.
+    // Engines differ in the depth by which bodies overlap, but not by more than their skins.
     std::vector<std::string> levels{"other", "box2d", "other"};
     for (std::string const& engine : engines()) {
         levels.push_back(engine);

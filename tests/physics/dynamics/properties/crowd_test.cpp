@@ -71,7 +71,7 @@ TEST(CrowdedStart, LeavesOutThePiecesOfOneBody) {
     EXPECT_EQ(crowdedStart(bodies.store).value_or(CrowdedStart{}).pairs, 62'500U) << "two such wheels";
 }
 
-// As bench_growth's rows have them, up to the greatest number.
+// The levels of bench_growth's rows, up to the greatest number.
 TEST(CrowdedStart, IsNoHeapOfVeryMany) {
     CrowdStore bodies;
     for (int i = 0; i < 50'000; ++i) {

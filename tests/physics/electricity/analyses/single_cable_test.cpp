@@ -30,7 +30,7 @@ std::set<std::uint32_t> onIn(WiredObjects const& objects, std::uint32_t seed = 0
     return found;
 }
 
-/// What a test has stated, apart from the columns.
+/// The objects as a test states them, apart from the columns.
 struct Plan {
     struct Part {
         std::string network;
@@ -137,7 +137,8 @@ TEST(MarkSingleCable, AnObjectOfAnotherNetworkIsNoWayThrough) {
     objects.connect({0, 0}, {1, 0});
     objects.connect({1, 0}, {2, 0});
     EXPECT_EQ(onIn(objects), (std::set<std::uint32_t>{0}));
-    // With a source of the telephone at the other end the middle is on, and so is all that it reaches.
+    // With a source of the telephone at the other end, the middle is on, and so is every object that it
+    // reaches.
     objects.sources.set({2, 0}, {"phone"});
     EXPECT_EQ(onIn(objects), (std::set<std::uint32_t>{0, 1, 2}));
 }

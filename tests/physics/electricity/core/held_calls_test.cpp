@@ -86,7 +86,7 @@ TEST(HeldCalls, EndWithTheirCallerAndBeginWithItAgain) {
     drawBatteryAndLamp(circuit);
     circuit.hold({.connections = {{circuit["battery"], circuit["lamp"], 1}}, .voltages = {}});
     ObjectId const director = circuit["director"];
-    circuit.store().column<Script>().remove(director); // nothing calls for the scripts any more
+    circuit.store().column<Script>().remove(director); // nothing activates the scripts any more
     circuit.world().step();
     circuit.world().step();
     EXPECT_FALSE(circuit.isOn(circuit["lamp"]));

@@ -1,4 +1,4 @@
-// Against a set: whatever was held before, the differences lead from one set to the next.
+// Compared with a set: for any earlier connections, the differences lead to the new set.
 #include "physics/electricity/core/held_connections.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// The detail level that a scene, and each of its circuits, gets by default; and what cheaper levels cannot
-// represent.
+// The detail level that a scene, and each of its circuits, gets by default; and circuits that cheaper levels
+// cannot represent.
 #include "physics/electricity/core/sufficient_level.hpp"
 #include "tests/physics/electricity/nodal_kit.hpp"
 

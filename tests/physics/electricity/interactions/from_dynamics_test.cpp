@@ -123,7 +123,7 @@ TEST(ElectricityContacts, ContactsCountThatExistWhenTheInteractionIsConstructed)
     std::int32_t const one = contactsBetween(circuit, "switch", "contact 1");
     std::int32_t const two = contactsBetween(circuit, "switch", "contact 2");
     EXPECT_EQ(one, 1); // neither counted twice
-    EXPECT_EQ(two, 0); // nor left over
+    EXPECT_EQ(two, 0); // and no connection remains
 }
 
 } // namespace

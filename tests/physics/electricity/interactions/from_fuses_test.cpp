@@ -1,4 +1,4 @@
-// Fuses: when they blow, which of several, and that they stay blown.
+// Fuses: when they blow, which of several blows, and that they stay blown.
 #include "tests/physics/electricity/nodal_kit.hpp"
 
 #include <gtest/gtest.h>

@@ -28,7 +28,7 @@ TEST(ElectricityFigures, A5SingleCable) {
     EXPECT_EQ(circuit.on(), (Names{"1", "2", "3", "4", "source"}));
     circuit.connect("2", "3"); // no work needs to be done
     EXPECT_EQ(circuit.on(), (Names{"1", "2", "3", "4", "source"}));
-    circuit.connect("5", "7"); // nor for this one
+    circuit.connect("5", "7"); // nor here
     EXPECT_EQ(circuit.on(), (Names{"1", "2", "3", "4", "source"}));
     circuit.disconnect("5", "7");
     circuit.connect("2", "5"); // the entire subgraph containing object 5
@@ -58,10 +58,10 @@ TEST(ElectricityFigures, A7ChainOfDevicesInBothLevels) {
     circuit.wire({{"S", "1", "2", "3", "T"}});
     circuit.start();
     circuit.disconnect("2", "3");
-    EXPECT_EQ(circuit.on(), (Names{"1", "2", "S"})); // only what comes after the broken link is off
+    EXPECT_EQ(circuit.on(), (Names{"1", "2", "S"})); // only the objects behind the broken link are off
     circuit.world().setDetail("electricity", "two-wire");
     circuit.world().step();
-    EXPECT_EQ(circuit.on(), Names{}); // the entire circuit is
+    EXPECT_EQ(circuit.on(), Names{}); // the entire circuit is off
     circuit.connect("2", "3");
     EXPECT_EQ(circuit.on(), (Names{"1", "2", "3", "S", "T"}));
 }

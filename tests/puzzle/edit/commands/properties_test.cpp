@@ -56,7 +56,7 @@ TEST(PieceCommands, ChangeWhatFilesStateAboutPieces) {
     EXPECT_EQ(entryOf(document, "front")["pieces"], Json::parse(R"({"striker": {"density": 4000}})"));
     EXPECT_FALSE(entryOf(document, "front").contains("properties"));
     EXPECT_NO_THROW(static_cast<void>(document.level()));
-    // A field of a property of the part's: the others stay as the part states them.
+    // Overrides one field of a property of the part: the other fields keep the part's values.
     document.run(
         setField(editData(), document.tree(), {"front", "back"}, "acoustics", "/ringing", 0.5, "striker"));
     EXPECT_EQ(document.undoName(), "Change acoustics of piece 'striker' of 2 objects");
@@ -112,7 +112,7 @@ TEST(PieceCommands, GoWithTheObject) {
     EXPECT_EQ(document.tree()["connections"][0], Json::array({"left", "door coil"}));
     EXPECT_NE(document.tree()["goals"].dump().find("door striker"), std::string::npos);
     EXPECT_EQ(document.tree()["goals"].dump().find("front"), std::string::npos);
-    // What properties of pieces refer to is renamed, too.
+    // References in the properties of pieces are renamed, too.
     document.run(
         {"Test", [](Json& tree) {
              for (Json& object : tree["objects"]) {
@@ -140,7 +140,7 @@ TEST(PieceCommands, AreInspected) {
     EXPECT_EQ(propertyOf(document, "striker", "density")->origin, ValueOrigin::part);
     EXPECT_EQ(propertyOf(document, "striker", "density")->fields.front().value, 7800);
     EXPECT_EQ(propertyOf(document, "coil", "electromagnet")->origin, ValueOrigin::part) << "of its own part";
-    // The object itself is inspected as its main piece is.
+    // The inspector shows the main piece's properties for the object itself.
     ASSERT_NE(propertyOf(document, "", "material"), nullptr);
     EXPECT_EQ(propertyOf(document, "", "material")->fields.front().value, "wood");
     document.run(setField(editData(), document.tree(), {"front"}, "density", "", 4000, "striker"));

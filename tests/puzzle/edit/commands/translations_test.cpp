@@ -18,7 +18,7 @@ Json after(Json tree, Command const& command) {
     return tree;
 }
 
-/// With a title, a text, two hints and goals of which one has an id and a text.
+/// A level with a title, a text, two hints, and goals of which one has an id and a text.
 Json spoken() {
     Json level = Json::parse(smallLevel());
     level["title"] = "A table";

@@ -1,4 +1,5 @@
-// Live problems: the same as verify's, with the thing to select; and what they add to the file's checks.
+// Live problems: the same as verify's, with the object to select; and the problems that the file's checks do
+// not find.
 #include "puzzle/checks/level_checks.hpp"
 #include "puzzle/edit/commands/arrange.hpp"
 #include "puzzle/edit/commands/contents.hpp"
@@ -158,7 +159,7 @@ TEST(LiveProblems, ListWhatALevelLacks) {
     ASSERT_EQ(solutions.size(), 1U);
     EXPECT_EQ(solutions.front().about, Problem::About::solution);
     EXPECT_EQ(solutions.front().words(), "no solution is recorded");
-    // They do not keep a designer from playing the level.
+    // Problems do not keep a designer from playing the level.
     LiveProblems problems;
     problems.refresh(LevelDocument::blank(editData()));
     EXPECT_EQ(problems.all().size(), 2U);

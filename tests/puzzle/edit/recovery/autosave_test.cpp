@@ -1,4 +1,4 @@
-// Recovery: what is left when a program ends without closing its document.
+// Recovery: the files that remain when a program ends without closing its document.
 #include "puzzle/edit/commands/contents.hpp"
 #include "puzzle/edit/recovery/autosave.hpp"
 #include "tests/puzzle/edit/edit_kit.hpp"
@@ -31,7 +31,7 @@ TEST(Autosave, LeavesWhatWasChangedWhenTheProgramDies) {
         autosave.tick(document, 0.6);
         EXPECT_FALSE(autosave.file().empty());
         EXPECT_FALSE(autosave.error());
-        EXPECT_TRUE(findRecoveries(recovery).empty()); // this program is alive
+        EXPECT_TRUE(findRecoveries(recovery).empty()); // this program still runs
         autosave.abandon();
     }
     EXPECT_EQ(fileText(file), smallLevel());
@@ -77,7 +77,7 @@ int numberIn(std::string const& title) {
     return title.empty() || title.front() < '0' || title.front() > '9' ? 0 : std::stoi(title);
 }
 
-/// Edits without end, and saves now and then; tells the number of every step that is complete.
+/// Edits without end, and saves now and then; writes the number of every complete step.
 [[noreturn]] void designUntilKilled(fs::path const& file, fs::path const& recovery, int tell) {
     LevelDocument document = LevelDocument::open(editData(), file);
     Autosave autosave(recovery);
@@ -119,7 +119,7 @@ TEST(Autosave, LosesAtMostTwoSecondsAndNeverTheFileWheneverItIsKilled) {
         int const wanted = static_cast<int>(random() % 30);
         while (last < wanted && ::read(ends[0], &last, sizeof last) == sizeof last) {
         }
-        for (auto spins = random() % 3000000; spins > 0; --spins) { // on, into the next steps
+        for (auto spins = random() % 3000000; spins > 0; --spins) { // lets the next steps begin
             asm volatile("");
         }
         ::kill(child, SIGKILL);

@@ -1,4 +1,4 @@
-// Texts of changed trees: what did not change keeps the spelling and the lines of its author.
+// Texts of changed trees: unchanged parts keep the spelling and the lines of their author.
 #include "puzzle/edit/text/lay_out.hpp"
 #include "puzzle/edit/text/source_text.hpp"
 #include "tests/puzzle/edit/edit_kit.hpp"

@@ -1,4 +1,4 @@
-// What composite parts state about their pieces, compared with what a world is built from.
+// The statements of composite parts about their pieces, compared with the values from which a world is built.
 #include "puzzle/edit/commands/objects.hpp"
 #include "puzzle/edit/tree/part_statements.hpp"
 #include "runtime/level/build/part_expander.hpp"
@@ -41,7 +41,7 @@ TEST(PartStatements, AreWhatEachPieceOfEveryPartIsMadeOf) {
             PartPiece const& piece = statements.pieces(part->name)[count++];
             EXPECT_EQ(piece.name, name);
             EXPECT_EQ(piece.main, i == made.main);
-            // A piece that the part neither moves nor mirrors has its properties as they are stated.
+            // A piece that the part neither moves nor mirrors has its properties as stated.
             PropertySet const all = object.properties();
             for (PropertyInfo const* const info : data.registry.objectProperties()) {
                 if (info->text.place != PropertyPlace::properties) {

@@ -1,4 +1,4 @@
-// What each kind of command does to the tree.
+// The changes of the tree by each kind of command.
 #include "puzzle/edit/commands/arrange.hpp"
 #include "puzzle/edit/commands/clipboard.hpp"
 #include "puzzle/edit/commands/connect.hpp"
@@ -135,7 +135,7 @@ TEST(ArrangeCommands, MeasureAllPiecesOfAPart) {
 
 TEST(ArrangeCommands, ScaleWhatCanBeScaled) {
     Json const level = done(small(), scaleObjects(editData(), small(), {"right"}, {1, 3}, {2, 0.5}));
-    // It stands on its end: what is up and down for the world is along its own x axis.
+    // It stands on its end: the world's vertical is its own x axis.
     EXPECT_EQ(entry(level, "right")["properties"]["shape"][0]["width"], 3);
     EXPECT_EQ(entry(level, "right")["properties"]["shape"][0]["height"], 0.5);
     EXPECT_TRUE(mayScale(editData(), small(), {"ball"}, {2, 2}));

@@ -1,5 +1,5 @@
-// Mirroring what joints hold together: twice gives the same file, and the mirror image runs as the mirror
-// image.
+// Mirroring objects that joints hold together: twice gives the same file, and the mirror image of a level
+// runs as the mirror image of its run.
 #include "puzzle/edit/commands/arrange.hpp"
 #include "puzzle/edit/commands/objects.hpp"
 #include "puzzle/edit/tree/tree_access.hpp"
@@ -134,7 +134,7 @@ TEST(MirroredLevel, TwiceGivesTheSameFile) {
                 document.run(
                     mirrorObjects(editData(), document.tree(), objectNames(document.tree()), mirror, {1, 2}));
             }
-            if (where != "machines") { // whose sledge states no axis: after that it does
+            if (where != "machines") { // the sledge of "machines" states its axis only after mirroring
                 EXPECT_EQ(document.text(), before) << where;
             }
         }

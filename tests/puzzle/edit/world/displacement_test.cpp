@@ -1,4 +1,4 @@
-// A world that follows a drag shows the same as one that is built from the level after the drag.
+// A world that follows a drag is the same as a world that is built from the level after the drag.
 #include "physics/dynamics/properties/shapes/overlap.hpp"
 #include "puzzle/edit/commands/arrange.hpp"
 #include "puzzle/edit/commands/objects.hpp"
@@ -52,7 +52,7 @@ void expectSameScene(World const& followed, World const& built, std::string cons
     }
 }
 
-/// A level's document and the world that is shown of it; both are as they were before after each command.
+/// A level's document and the displayed world; each command is undone in both before the next.
 class Followed {
 public:
     explicit Followed(LevelDocument& document) : document_(document), tree_(document.tree()) {
@@ -60,7 +60,7 @@ public:
         build(before_);
     }
 
-    /// Whether the world follows a command; what it shows is compared with what is built from the level then.
+    /// Whether the world follows a command; it is then compared with a world built from the changed level.
     bool follows(std::function<Command(Json const&)> const& make, std::string const& where) {
         try {
             document_.run(make(document_.tree()));
@@ -115,7 +115,7 @@ TEST(Displacement, ShowsWhatTheLevelsWouldShow) {
         for (std::size_t i = 0; i < all.size(); i += test::underSanitizer ? 5 : 1) {
             EXPECT_TRUE(followed.follows(moveOf({all[i]}), where)) << where << all[i];
         }
-        // An object that states its first angle is built again.
+        // An object that gets an angle for the first time is built again.
         follows(
             document,
             [&](Json const& level) {

@@ -1,4 +1,4 @@
-// Goals that cannot be reached are rejected with their place. The reasons are tested with each kind, in
+// Goals that cannot be reached are rejected with their place. The reasons are tested for each kind, in
 // conditions/.
 #include "tests/puzzle/goals/stage.hpp"
 

@@ -1,5 +1,5 @@
-// One thing has one German name: in the toolbox, in names.json, from which sentences and panels take it, and
-// in the hints of the levels.
+// A part has one German name: in the toolbox, in names.json, from which sentences and panels take it, and in
+// the hints of the levels.
 #include "puzzle/data/game_data.hpp"
 #include "puzzle/language/catalogue.hpp"
 #include "puzzle/language/german_names.hpp"
@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The letters that German words begin with but for "Ä", "Ö" and "Ü", which no name here begins with.
+/// The text in small letters, except "Ä", "Ö" and "Ü", with which no name here begins.
 std::string withoutCapitals(std::string text) {
     for (char& c : text) {
         c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
@@ -128,7 +128,7 @@ TEST(GermanParts, AreCalledInHintsAsInTheToolbox) {
     EXPECT_GT(compared, 60) << "hints name parts";
 }
 
-/// Adds what goals call their areas.
+/// Adds the names that goals give to their areas.
 void addCalled(nlohmann::json const& goals, std::set<std::string>& called) {
     if (goals.is_object() && goals.contains("called")) {
         called.insert(goals["called"].get<std::string>());

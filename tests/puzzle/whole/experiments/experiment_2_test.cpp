@@ -60,7 +60,7 @@ TEST_F(ExperimentTwo, FollowsTheAccountOfFrames) {
     ASSERT_NE(ring, nullptr);
     EXPECT_GT(ring->frame, f + 4);
     EXPECT_LT(ring->frame, f + 15);
-    // It falls back, and it is the striker now that closes the circuit.
+    // It falls back; now the striker closes the circuit.
     Event const& back = first("contact begun", {"contact", "striker"}, ring->frame);
     Event const& again = first("on", {"electromagnet"}, ring->frame);
     EXPECT_EQ(again.frame, back.frame + 1);

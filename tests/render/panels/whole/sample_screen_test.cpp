@@ -1,4 +1,4 @@
-// A screen with every kind of panel, drawn at two sizes, to be looked at.
+// A screen with every kind of panel, drawn at two sizes, for people to look at.
 #include "render/draw/path.hpp"
 #include "render/panels/buttons.hpp"
 #include "render/panels/cards.hpp"

@@ -282,7 +282,7 @@ TEST(DrawnPart, ShowsTheCablesBetweenItsPieces) {
     PartLibrary const rope =
         partWith(R"({"form": "rope", "a": "left", "b": "right", "at": [-0.6, 0.3], "at_b": [0.6, 0.3],
                      "length": 1.5, "look": "none"})");
-    // The lowest point of the cable is at x = 0, as it is symmetric; where it is follows from the picture.
+    // The lowest point of the cable is at x = 0, as it is symmetric; its height follows from the picture.
     Extent const extent = extentOfPart(rope, {"cable", {}, 0, ""});
     EXPECT_LT(extent.lower.y, 0.2) << "it hangs below both pieces";
     EXPECT_GT(extent.lower.y, -0.1);
@@ -300,7 +300,7 @@ TEST(DrawnPart, ShowsTheCablesBetweenItsPieces) {
                          {.shadows = false}),
                  0, tile.lower.y),
               at(blank, 0, tile.lower.y));
-    // As in a world, it runs inside a joint that is not drawn and holds the pieces together.
+    // As in a world, the cable runs inside a joint that is not drawn and holds the pieces together.
     PartLibrary const weld =
         partWith(R"({"form": "weld", "a": "left", "b": "right", "at": [0, 0.3], "look": "none"})");
     EXPECT_NEAR(extentOfPart(weld, {"cable", {}, 0, ""}).lower.y, 0.2, 1e-9);

@@ -1,4 +1,4 @@
-// Belts around wheels, and pictures of what runs between two places.
+// Belts around wheels, and pictures of ropes, chains and wires between two places.
 #include "render/draw/path.hpp"
 #include "render/scene/objects/ties.hpp"
 #include "tests/render/stage.hpp"

@@ -48,7 +48,7 @@ TEST(SceneGallery, EveryPart) {
     EXPECT_EQ(drawn, library.all().size());
 }
 
-// As in the toolbox: large enough to be told apart without their names.
+// As in the toolbox: large enough to be distinguished without their names.
 TEST(SceneGallery, CablesOnTheirTiles) {
     PartLibrary const library = loadParts(everything(), root / "assets" / "parts");
     std::vector<double> lows; // how deep the cable hangs, as a share of the part's width

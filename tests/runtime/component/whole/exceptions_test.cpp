@@ -103,7 +103,7 @@ TEST_F(Turns, OfAnInteractionThatFailHaveMadeNoCalls) {
         for (int i = 0; i < 3; ++i) {
             stepThatFails();
         }
-        step(1); // it is applied again, as what it reads is still new to it
+        step(1); // it is applied again, as its turn with these changes failed
         EXPECT_EQ(heatOf(0), 0);
         step(1);
         EXPECT_DOUBLE_EQ(heatOf(0), 101);

@@ -1,4 +1,4 @@
-// Resolvers go through the sources that have calls, and find every call in them.
+// Resolvers examine only the sources that have calls, and find every call in them.
 #include "tests/runtime/world/heat.hpp"
 
 #include <gtest/gtest.h>

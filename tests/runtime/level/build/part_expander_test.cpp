@@ -1,4 +1,4 @@
-// Parts that consist of pieces: what becomes of them in a world, and the problems with them.
+// Parts that consist of pieces: their objects in a world, and the problems with them.
 #include "runtime/level/build/build_world.hpp"
 #include "runtime/level/build/check_composites.hpp"
 #include "runtime/level/build/placed_pieces.hpp"
@@ -48,7 +48,7 @@ protected:
             return error.what();
         }
     }
-    /// What is wrong with a library of these parts.
+    /// The errors in a library of these parts.
     [[nodiscard]] std::string libraryProblems(std::vector<std::string> const& texts) const {
         try {
             checkComposites(sample::parts(registry, texts));

@@ -1,5 +1,5 @@
-// What may be changed while a world runs: numbers within their range of accuracy, periods up to the longest,
-// and detail levels that compute the same physics.
+// The changes that are allowed while a world runs: numbers within their range of accuracy, periods up to the
+// longest, and detail levels that compute the same physics.
 #include "runtime/level/model/change_fault.hpp"
 #include "tests/runtime/level/model/bakery.hpp"
 
@@ -111,7 +111,7 @@ TEST(ChangeFault, ADetailLevelMustExistInTheProgram) {
     }
 }
 
-// What the scene states decides whether two levels differ in accuracy only.
+// The content of the scene decides whether two levels differ in accuracy only.
 TEST(ChangeFault, ADetailLevelMustComputeTheSamePhysics) {
     struct Case {
         bool souffle;

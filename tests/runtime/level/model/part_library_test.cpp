@@ -1,4 +1,4 @@
-// Part definitions: what their files may state, and folders of them.
+// Part definitions: the values that their files may state, and folders of them.
 #include "runtime/level/model/part_library.hpp"
 #include "runtime/level/read/read_part.hpp"
 #include "runtime/object/without.hpp"

@@ -1,4 +1,4 @@
-// Assigning keys to commands: with the keyboard alone, and with the mouse except for the key itself.
+// Assigning keys to commands: with the keyboard alone, and with the mouse for everything but the key itself.
 #include "tests/game/ui/player.hpp"
 
 #include <algorithm>

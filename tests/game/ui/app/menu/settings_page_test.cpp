@@ -1,4 +1,4 @@
-// What the settings change is seen at once.
+// Changes of the settings are visible at once.
 #include "game/ui/app/menu/settings_page.hpp"
 #include "render/draw/palette.hpp"
 #include "tests/game/ui/player.hpp"
@@ -6,7 +6,7 @@
 namespace trembler::ui::test {
 namespace {
 
-/// Whether some pixel has about that colour.
+/// Whether some pixel has approximately that colour.
 bool hasColour(render::Image const& image, render::Colour colour) {
     for (int y = 0; y < image.size().height; ++y) {
         for (int x = 0; x < image.size().width; ++x) {

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 auto const contactLevel = levelsFolder() / "first/1-first-contact.json";
 std::string const contactId = "first/1-first-contact.json";
 
-/// The home of the player, with a folder of downloads in which a friend's solution lies.
+/// The player's home, with a folder of downloads that contains a friend's solution.
 class ReceivedSolution : public testing::Test {
 protected:
     ReceivedSolution() : home_(testFolder() / "home") {

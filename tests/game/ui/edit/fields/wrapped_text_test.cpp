@@ -1,4 +1,4 @@
-// Wrapping lines of a text while it is typed, and giving back what was typed.
+// Wrapping lines of a text while it is typed, and restoring the typed text.
 #include "game/ui/edit/fields/wrapped_text.hpp"
 
 #include <gtest/gtest.h>

@@ -18,7 +18,7 @@ void scrollToItem(Designer& designer, std::string const& item) {
     ASSERT_TRUE(designer.shows(item)) << item;
 }
 
-/// Replaces what is in a field.
+/// Replaces the content of a field.
 void typeInto(Designer& designer, std::string const& item, std::string const& text) {
     designer.clickItem(item);
     designer.frames(1);
@@ -73,7 +73,7 @@ TEST(GoalsPage, ChangesTheTaskOfADemonstration) {
     designer.ctrl(SDLK_z);
     designer.frames(2);
     EXPECT_EQ(designer.tree()["task"], task);
-    // The test play is that of a player: its goals are the task.
+    // In the test play, as for a player, the goals are those of the task.
     designer.key(SDLK_SPACE);
     designer.frames(4);
     ASSERT_NE(designer.screen().test(), nullptr);

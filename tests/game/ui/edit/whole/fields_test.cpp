@@ -1,5 +1,5 @@
-// Fields of the editor's panel for what a level file may leave out: the second object of a joint, corners of
-// an area, entries of lists, mods that are not there.
+// Fields of the editor's panel for optional parts of a level file: the second object of a joint, corners of
+// an area, entries of lists, missing mods.
 #include "puzzle/edit/commands/objects.hpp"
 #include "tests/game/ui/edit/editor_kit.hpp"
 

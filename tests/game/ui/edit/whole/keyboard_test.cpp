@@ -1,5 +1,5 @@
-// A level made by the keyboard alone or a gamepad, parts of one's own that are there at once, and texts; with
-// real key events.
+// A level made by the keyboard alone or a gamepad, the player's own parts, which can be used at once, and
+// texts; with real key events.
 #include "puzzle/edit/commands/objects.hpp"
 #include "render/window/gamepad.hpp"
 #include "tests/game/ui/edit/editor_kit.hpp"
@@ -108,7 +108,7 @@ TEST(EditorKeyboard, TheCatalogueAndTheDialogs) {
     designer.frames(1);
     designer.key(SDLK_DOWN);
     designer.frames(1);
-    designer.key(SDLK_RETURN); // cancel is the last one
+    designer.key(SDLK_RETURN); // the last button cancels
     designer.frames(2);
     EXPECT_FALSE(designer.showsCard("unsaved"));
     EXPECT_EQ(designer.count("objects"), before + 1);
@@ -197,7 +197,7 @@ TEST(EditorOwnParts, AreThereAtOnceInTheCatalogueAndTheGame) {
         designer.typeText("twin");
         designer.frames(2);
         EXPECT_TRUE(designer.shows("part twin posts"));
-        // In a new editor, and in free play, too.
+        // Also in a new editor and in free play.
         designer.parts().document.goTo(0);
         designer.app().edit({});
         designer.frames(3);

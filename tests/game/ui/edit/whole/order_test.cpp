@@ -171,7 +171,7 @@ void pageByKeys(Designer& designer, SDL_Keycode page) {
     designer.frames(3);
 }
 
-/// By either key that presses: Enter is the one that the tip of the panel's command names.
+/// With either key that presses a button: the tip of the panel's command names Enter.
 class EditorOrderByKey : public testing::TestWithParam<SDL_Keycode> {};
 
 INSTANTIATE_TEST_SUITE_P(Keys, EditorOrderByKey, testing::Values(SDLK_SPACE, SDLK_RETURN),
@@ -223,7 +223,7 @@ TEST(EditorOrder, EnterTypesIntoANumberAndPressesWhatIsNone) {
     };
     typeFrames("75");
     EXPECT_EQ(designer.tree()["solutions"][0]["frames"], 75);
-    typeFrames("0"); // as the tip says: as long as it takes
+    typeFrames("0"); // as the tip says: no limit
     EXPECT_FALSE(designer.tree()["solutions"][0].contains("frames"));
     typeFrames("99999999");
     EXPECT_EQ(designer.tree()["solutions"][0]["frames"], limits::frames) << "the most that there may be";

@@ -192,7 +192,7 @@ TEST(EditorPanels, EveryCommandRunsByItsKeyAndUndoBringsTheFileBack) {
     Designer designer;
     designer.editCopyOf(firstContact);
     std::string const before = designer.parts().document.text();
-    // With a change, a new level is not begun before a question.
+    // After a change, a new level is begun only after a question.
     designer.parts().selection.set({"iron ball"});
     designer.key(SDLK_LEFT);
     for (Command<EditParts> const& command : editCommands()) {

@@ -1,4 +1,4 @@
-// The editor's pages about the level: the report, and what else solves it.
+// The editor's pages about the level: the report, and further solutions.
 #include "game/ui/edit/commands/edit_actions.hpp"
 #include "game/ui/edit/study/level_studies.hpp"
 #include "game/ui/edit/study/study_words.hpp"
@@ -37,7 +37,7 @@ public:
         studies().reportOptions = briefReport();
         studies().request.runs = 80;
     }
-    /// Until the work has ended, and is shown.
+    /// Waits until the work has ended, and its result is shown.
     template <class Result>
     void await(Study<Result> const& study) {
         ASSERT_NE(study.work, nullptr);
@@ -52,7 +52,7 @@ public:
         ctrl(SDLK_f);
         await(studies().searched());
     }
-    /// Whether the panel says a text, whose lines may be broken, somewhere without scrolling.
+    /// Whether the panel contains a text, whose lines may be broken, somewhere without scrolling.
     bool says(std::string const& text) {
         (void)look("studies");
         std::string all;
@@ -75,7 +75,7 @@ public:
     }
 };
 
-/// As the command line tells it, without the level's name.
+/// The report of the command line, without the level's name.
 nlohmann::json told(insight::LevelReport const& report) {
     auto json = nlohmann::json::parse(toJson(report).dump());
     json.erase("level");
@@ -191,7 +191,7 @@ TEST(EditorReport, StopsWithWhatItHasAndBlocksNothing) {
     designer.openFirst();
     designer.studies().reportOptions.robustness.runs = 100'000;
     designer.ctrl(SDLK_e);
-    // What its solutions need is there at once; all the displaced runs would take minutes.
+    // The needs of its solutions are shown at once; all the displaced runs would take minutes.
     for (int i = 0; i < 100'000 && designer.studies().report().result() == nullptr; ++i) {
         designer.frame();
     }
@@ -274,7 +274,7 @@ TEST(EditorSearch, KeepsWhatItFoundAsASolutionThatCanBeUndone) {
     ASSERT_EQ(designer.count("solutions"), before["solutions"].size() + 1);
     EXPECT_FALSE(designer.says(words::olderState)) << "a search does not look at recorded solutions";
     EXPECT_TRUE(designer.parts().document.undoName().starts_with("Record solution 'found 1: "));
-    // The level as it is now has it, and it solves the level.
+    // The edited level has the solution, and it solves the level.
     LevelFile const level = designer.parts().document.level();
     Session session(gameData().registry, gameData().parts, level);
     session.load(level.solutions.back());

@@ -1,4 +1,4 @@
-// The button by which the inspector asks why its object is as it is, with real input events.
+// The inspector's button that asks for the cause of its object's state, with real input events.
 #include "game/ui/app/menu/settings_page.hpp"
 #include "game/ui/play/why/why_panel.hpp"
 #include "tests/game/ui/player.hpp"

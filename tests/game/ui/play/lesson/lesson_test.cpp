@@ -1,4 +1,4 @@
-// The first level teaches by doing: with the mouse, with keys, with a gamepad.
+// The first level teaches by actions: with the mouse, with keys, with a gamepad.
 #include "game/ui/play/lesson/lesson.hpp"
 #include "runtime/level/read/read_level.hpp"
 #include "tests/game/ui/virtual_pad.hpp"

@@ -119,7 +119,7 @@ TEST_F(MouseOnTheField, AnObjectIsGrabbedExceptDuringAReplay) {
     EXPECT_EQ(hand.held(), session.world().store().find("switch"));
     release(lever);
     EXPECT_FALSE(hand.held().valid());
-    // Watching, the same drag moves the paper.
+    // During a replay, the same drag moves the view.
     auto const before = view.camera().centre;
     press(lever, true);
     move(lever + Vec2{0, 0.1}, {0, -10}, true);

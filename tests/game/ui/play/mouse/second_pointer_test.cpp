@@ -17,7 +17,7 @@ Vec2 leverOf(Player& player) {
 void goTo(Player& player, VirtualPad const& pad, Vec2 to) {
     for (int i = 0; i < 300 && length(player.play().secondPointer().at() - to) > 0.035; ++i) {
         Vec2 const way = to - player.play().secondPointer().at();
-        double const far = std::max(length(way), 0.1); // slower when it is near
+        double const far = std::max(length(way), 0.1); // slower near the place
         pad.lean(player, SDL_CONTROLLER_AXIS_LEFTX, static_cast<Sint16>(32000 * way.x / far));
         pad.lean(player, SDL_CONTROLLER_AXIS_LEFTY, static_cast<Sint16>(-32000 * way.y / far));
     }
@@ -59,7 +59,7 @@ TEST(SecondPlayer, MovesGrabsAndLetsGoWithASecondGamepad) {
     player.open(experimentOne);
     player.frames(2);
     ASSERT_EQ(player.app().context().pads.count(), 2U);
-    first.press(player, SDL_CONTROLLER_BUTTON_X); // the first player lets the world run
+    first.press(player, SDL_CONTROLLER_BUTTON_X); // the first player starts the run
     ASSERT_NE(player.session().mode(), SessionMode::building);
     player.simulate(60);
     EXPECT_TRUE(player.play().secondPointer().active());

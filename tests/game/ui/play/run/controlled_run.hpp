@@ -7,7 +7,7 @@
 
 namespace trembler::ui::test {
 
-/// The electromagnet, which is solved by itself within two seconds.
+/// The electromagnet level, which solves itself within two seconds.
 struct Controlled {
     Session session{
         gameData().registry, gameData().parts,

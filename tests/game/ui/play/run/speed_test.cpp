@@ -1,4 +1,4 @@
-// The speed of a run: what the player chooses, and what a slow computer makes of it.
+// The speed of a run: as the player chooses it, and on a slow computer.
 #include "game/ui/play/run/speed.hpp"
 
 #include <gtest/gtest.h>

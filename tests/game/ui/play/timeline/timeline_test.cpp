@@ -1,4 +1,4 @@
-// Looking back in a run, and going on from any moment of it, with real input events.
+// Viewing the past of a run, and continuing from any moment of it, with real input events.
 #include "game/ui/play/timeline/probe_panel.hpp"
 #include "game/ui/play/timeline/timeline.hpp"
 #include "runtime/placement.hpp"
@@ -13,7 +13,7 @@ namespace {
 auto const firstContact = levelsFolder() / "first/1-first-contact.json";
 auto const doorbell = levelsFolder() / "experiments/2-doorbell.json";
 
-/// Runs the level as won by a steel bar; the hash of the world after each frame.
+/// Runs the level, won by a steel bar; returns the hash of the world after each frame.
 std::map<std::uint64_t, std::uint64_t> runFirstContact(Player& player, std::uint64_t frames) {
     player.open(firstContact);
     player.drag(player.item("part steel bar"), player.at({-1.8, 1.2}));
@@ -74,7 +74,7 @@ TEST(Timeline, IsDraggedAlongWithTheMouse) {
     player.look("timeline-drag");
 }
 
-// A run that goes on from a moment of the past is to the bit the run that was there.
+// A run that continues from a moment of the past is, to the bit, the earlier run.
 TEST(Timeline, GoesOnFromAnyMomentDeterministically) {
     for (std::uint64_t const from : {60U, 1U, 0U}) {
         Player player;
@@ -97,7 +97,7 @@ TEST(Timeline, GoesOnFromAnyMomentDeterministically) {
             std::uint64_t const now = player.session().world().frame();
             ASSERT_EQ(player.session().world().stateHash(), hashes.at(now)) << now;
         }
-        timeline.seek(30); // what was before has not been lost
+        timeline.seek(30); // earlier frames have not been lost
         EXPECT_EQ(timeline.frame(), 30U);
     }
 }
@@ -173,7 +173,7 @@ TEST(Timeline, LooksAsItDid) {
     for (int i = 0; i < 80; ++i) {
         player.key(SDLK_f);
     }
-    player.frames(240); // rings and sparks have gone
+    player.frames(240); // rings and sparks have disappeared
     player.look("timeline-present");
     for (int i = 0; i < 3; ++i) {
         player.key(SDLK_f);

@@ -1,4 +1,4 @@
-// Cut wires fall and fade, the scissors are put away, and keys that mean nothing now say so.
+// Cut wires fall and fade, the scissors are put away, and keys without a use at present cause a message.
 #include "game/ui/play/view/cut_view.hpp"
 #include "tests/game/ui/player.hpp"
 

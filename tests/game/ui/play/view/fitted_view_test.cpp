@@ -26,8 +26,8 @@ std::filesystem::path const& anyLevel(std::size_t i) {
 }
 constexpr std::size_t levelCount = 6;
 
-/// Names of the objects that lie under this card with what matters of them: of a floor without end, what is
-/// near the others.
+/// The names of the objects whose relevant part lies under this card: of a floor without end, the part near
+/// the other objects.
 std::string objectsUnder(Player& player, char const* card) {
     auto const rect = player.layout().card(card);
     EXPECT_TRUE(rect) << card << " is not shown";
@@ -51,7 +51,7 @@ std::string objectsUnder(Player& player, char const* card) {
     return names;
 }
 
-/// Pixels on the screen.
+/// The size of the level on the screen, in pixels.
 Point sizeOfLevel(Player& player) {
     render::Extent const focus = render::sceneFocus(player.session().world());
     return 2 * player.play().camera().pixelsPerMetre * focus.half();

@@ -1,4 +1,4 @@
-// A part gives way a little when it is put down.
+// A part is flattened for a moment when it is put down.
 #include "game/ui/play/view/squash_view.hpp"
 #include "runtime/level/read/read_level.hpp"
 #include "tests/game/ui/player.hpp"

@@ -1,4 +1,4 @@
-// The work of a picture follows from what frames cost; no clock is needed to see it.
+// The work in a picture depends on the cost of frames; the test needs no clock.
 #include "game/ui/play/whatif/picture_pace.hpp"
 
 #include <gtest/gtest.h>

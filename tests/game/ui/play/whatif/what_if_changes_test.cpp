@@ -84,20 +84,20 @@ protected:
         EXPECT_EQ(view().worldsBuilt(), WhatIfView::worldsToBuild);
         EXPECT_DOUBLE_EQ(view().progress(), 1);
     }
-    /// Opens the list of effects on the card, chooses one to be left out, and waits.
+    /// Opens the list of effects on the card, chooses an effect to leave out, and waits.
     void leaveOut(std::string const& interaction) {
         player.scrollTo("what if", "leave out");
         player.clickItem("leave out");
         player.frames(2);
         switchEffect(interaction);
     }
-    /// The same in the list that is open: what is left out is taken back.
+    /// The same in the open list: an effect that is left out is included again.
     void switchEffect(std::string const& interaction) {
         player.scrollTo("what if", "without " + interaction);
         player.clickItem("without " + interaction);
         await();
     }
-    /// The only change, which is of this kind and makes another run; the real one is as it was.
+    /// The only change, which is of this kind and leads to another run; the real run is unchanged.
     insight::Change const& onlyChange(Kind kind) {
         static insight::Change const none;
         EXPECT_EQ(view().whatIf().changes.size(), 1U);
@@ -157,7 +157,7 @@ TEST_F(WhatIfChanges, AnEffectIsLeftOut) {
     EXPECT_EQ(onlyChange(Kind::interaction).object, magnetism);
     player.key(SDLK_END);
     player.frames(2);
-    WhatIfView& changed = const_cast<WhatIfView&>(view()); // world() puts the frame on its stage
+    WhatIfView& changed = const_cast<WhatIfView&>(view()); // world() restores the frame
     World const* const other = changed.world();
     ASSERT_NE(other, nullptr);
     EXPECT_LT(placeIn(*other, "iron ball").y, placeOf("iron ball").y) << "nothing lifts it";
@@ -182,7 +182,7 @@ TEST_F(WhatIfChanges, AnEffectThatIsLeftOutIsTakenBackBesideIt) {
     EXPECT_TRUE(view().whatIf().changes.empty());
 }
 
-// Whatever was placed, and not only what moves by itself.
+// Placed parts too, and not only objects that move by themselves.
 TEST_F(WhatIfChanges, APlacedPartIsMovedAndRemoved) {
     beginAt(30);
     Vec2 const from = placeOf("steel bar 1");
@@ -198,12 +198,12 @@ TEST_F(WhatIfChanges, APlacedPartIsMovedAndRemoved) {
     EXPECT_FALSE(view().run()->firstDifference());
 }
 
-// However long the run is, a picture computes a part of it: the window goes on, shows how far it is, and can
-// be told to stop.
+// However long the run is, a picture computes a part of it: the window stays responsive, shows the progress,
+// and can cancel the work.
 TEST_F(WhatIfChanges, TheWindowGoesOnWhileItIsComputed) {
     std::uint64_t const frames = 40 * PicturePace::mostFrames;
     run(60, "wooden bar"); // which solves nothing
-    player.key(SDLK_p);    // goes on
+    player.key(SDLK_p);    // continues
     player.simulate(static_cast<int>(frames));
     player.key(SDLK_p);
     player.play().timeline().seek(20);
@@ -216,7 +216,7 @@ TEST_F(WhatIfChanges, TheWindowGoesOnWhileItIsComputed) {
     player.frames(2);
     EXPECT_TRUE(view().working()) << "it is not computed in one go";
     EXPECT_GT(view().progress(), before);
-    // In the meantime everything else can be done.
+    // In the meantime everything else works.
     player.clickItem("timeline track");
     EXPECT_NE(player.play().timeline().frame(), 20U);
     player.play().timeline().seek(20);
@@ -245,7 +245,7 @@ TEST_F(WhatIfChanges, NoPictureBuildsMoreThanOneWorld) {
     buildOneWorldInAPicture(20);
     ASSERT_NE(view().run(), nullptr);
     EXPECT_FALSE(view().run()->firstDifference());
-    // A change shows the run before it until the new one has come to the moment.
+    // After a change, the run before it is shown until the new one has reached the moment.
     insight::OtherRun const* const shown = view().run();
     Vec2 const from = placeOf("iron ball");
     player.drag(player.at(from), player.at(from + Vec2{0.6, 0.4}));
@@ -263,7 +263,7 @@ TEST_F(WhatIfChanges, NoPictureBuildsMoreThanOneWorldAtTheStartEither) {
     EXPECT_FALSE(view().run()->firstDifference());
 }
 
-// What the gamepad does below, by keys: those of the arrows move a pointer, and Return is its button.
+// All that the gamepad does in the test below, by keys: the arrows move a pointer, and Return is its button.
 TEST_F(WhatIfChanges, KeysAloneDoAllOfIt) {
     run(60);
     hash = player.session().world().stateHash();
@@ -370,7 +370,7 @@ TEST_F(WhatIfChanges, AGamepadDoesAllOfIt) {
     EXPECT_EQ(player.session().world().stateHash(), hash);
 }
 
-// What is computed when depends on the clock; what it becomes does not.
+// The time of a computation depends on the clock; its result does not.
 TEST(WhatIfPace, NothingDependsOnTheClock) {
     Player player;
     player.open(magnetLevel);
@@ -380,7 +380,7 @@ TEST(WhatIfPace, NothingDependsOnTheClock) {
     }
     std::set<std::uint64_t> hashes;
     std::set<int> pictures;
-    for (double const perLook : {0.0, 1e-3, 1.0}) { // s, by which the clock goes on when it is looked at
+    for (double const perLook : {0.0, 1e-3, 1.0}) { // s, by which the clock advances at each reading
         double now = 0;
         Timeline& timeline = player.play().timeline();
         timeline.setOpen(true);

@@ -15,7 +15,7 @@ namespace {
 auto const contactLevel = levelsFolder() / "first/1-first-contact.json";
 using Kind = insight::Change::Kind;
 
-/// Runs the level as won by a steel bar and looks at a moment of it.
+/// Runs the level, won by a steel bar, and shows a moment of the run.
 void lookAt(Player& player, std::uint64_t frame, std::uint64_t frames = 90) {
     player.open(contactLevel);
     player.drag(player.item("part steel bar"), player.at({-1.8, 1.2}));
@@ -28,7 +28,7 @@ void lookAt(Player& player, std::uint64_t frame, std::uint64_t frames = 90) {
     player.frames(2);
 }
 
-/// Until the other run is computed.
+/// Waits until the other run is computed.
 void await(Player& player) {
     player.frame(); // a change is taken up with the next picture
     for (int i = 0; i < 6000 && player.play().whatIf().moving(); ++i) {
@@ -135,7 +135,7 @@ TEST(WhatIf, TheSecondHandPullsAndTheLastOneIsKept) {
     player.clickItem("what if again");
     await(player);
     EXPECT_EQ(view.run()->firstDifference(), differs);
-    player.key(SDLK_SPACE); // the run ends, and what-ifs of it with it
+    player.key(SDLK_SPACE); // the run ends, and so do its what-ifs
     EXPECT_FALSE(view.active());
     EXPECT_TRUE(view.kept().empty());
 }

@@ -41,7 +41,7 @@ void waitForAnswer(Player& player) {
     player.frames(3);
 }
 
-/// What insight/why says of the run.
+/// The answer of insight/why about the run.
 insight::Answer answerTo(Player& player, insight::Question const& question) {
     insight::LevelRuns const runs(gameData(), player.session().level());
     insight::AskOptions options;
@@ -126,8 +126,8 @@ TEST(WhyPanel, SaysHowNearlyAGoalWasMet) {
     EXPECT_EQ(player.play().timeline().frame(), answer->nearest->nearest.frame);
 }
 
-// The longest answer: what ended a goal that held for a moment, and what the water and the load did. Four
-// boxes are asked for, which the raft bears until the load turns it.
+// The longest answer: the cause that ended a goal that held for a moment, and the effects of the water and
+// the load. The goal requires four boxes, which the raft bears until the load turns it.
 TEST(WhyPanel, SaysWhatEndedAGoalThatHeldTooShortly) {
     std::ifstream stored(levelsFolder() / "experiments/4-raft.json");
     std::string text{std::istreambuf_iterator<char>(stored), {}};
@@ -279,7 +279,7 @@ TEST(WhyPanel, TheLastRunCanBeAskedAboutWhileBuilding) {
     ASSERT_NE(player.play().why().answer(), nullptr);
     EXPECT_FALSE(player.play().why().answer()->happened);
     expectTidy(player, "while building");
-    player.key(SDLK_SPACE); // another run: it was not about that
+    player.key(SDLK_SPACE); // another run: the answer was not about it
     player.simulate(16);
     EXPECT_FALSE(player.play().why().open());
 }

@@ -5,7 +5,7 @@
 namespace trembler::ui::test {
 namespace {
 
-// What has no button of its own is chosen in the menu's list of commands, and run in the next picture.
+// A command without a button is chosen in the menu's list of commands, and run in the next picture.
 TEST(CommandsPage, ReachesEveryCommandOfALevel) {
     using render::padKey;
     Player player;

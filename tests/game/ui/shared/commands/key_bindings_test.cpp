@@ -90,7 +90,7 @@ TEST(Bindings, InvalidEntriesOfAProfileAreReportedAndTheOthersUsed) {
     auto const troubles = bindings.load({{"walk", {"Spcae"}},
                                          {"fly", {"F"}},
                                          {"leave", {"Q"}},
-                                         {"run", {"Ctrl+J"}}, // that is "jump"
+                                         {"run", {"Ctrl+J"}}, // the key of "jump"
                                          {"paint", {"X", "X"}}});
     ASSERT_EQ(troubles.size(), 4U);
     std::string all;
@@ -162,7 +162,7 @@ constexpr std::array<Command<OneButton>, 4> oneButtonTable{
      {.info = {.id = "zoom", .pad = theButton, .padPhase = PadPhase::view},
       .run = [](OneButton& screen) { screen.done = "zoom"; }}}};
 
-// While the past is looked at a button means the best of what can be done.
+// While the past is shown, a button runs the most suitable of its commands that are available.
 TEST(Bindings, AButtonOfAGamepadMeansWhatCanBeDoneNow) {
     KeyBindings const bindings({listOf(std::span<Command<OneButton> const>(oneButtonTable))});
     auto const pressed = [&](OneButton screen) {

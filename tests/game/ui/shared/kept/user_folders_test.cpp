@@ -1,4 +1,4 @@
-// Where the player's pictures go, and where files of others arrive.
+// The folders for the player's pictures, and for files received from others.
 #include "game/ui/shared/kept/user_folders.hpp"
 
 #include <gtest/gtest.h>

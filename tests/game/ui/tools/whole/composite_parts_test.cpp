@@ -1,4 +1,4 @@
-// Parts of several pieces in the hand of the player: they are one thing, wherever they are taken.
+// Parts of several pieces in the player's hand: they are moved as one, whichever piece is taken.
 #include "runtime/placement.hpp"
 #include "tests/game/ui/player.hpp"
 
