@@ -67,7 +67,7 @@ public:
     }
 
 private:
-    static constexpr std::size_t mostObjects = 3; // that a call names
+    static constexpr std::size_t mostObjects = 3; // named by one call
 
     struct Key {
         std::string_view call;
@@ -85,11 +85,11 @@ private:
         EventId id;
     };
     struct Chunk {
-        std::vector<Held> held;       // in the order of the calls
-        std::map<Key, EventId> fresh; // those of them that are events of this apply
-        std::vector<Held> known;      // of the last apply, in order; made for the first search in it
+        std::vector<Held> held;       // the held calls, in order
+        std::map<Key, EventId> fresh; // those held calls that are events of this apply
+        std::vector<Held> known;      // calls of the last apply, sorted; filled by the first search
         bool searched = false;
-        std::size_t next = 0; // the place in the last apply of the call that is expected
+        std::size_t next = 0; // index in the last apply of the call expected next
 
         void clear() {
             held.clear();

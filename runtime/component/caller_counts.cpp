@@ -74,7 +74,7 @@ void CallerCounts::add(CallerId caller, std::int64_t change) {
         return;
     }
     if (!rest_ && change <= 0) {
-        return; // of a caller that has added none, when another one has
+        return; // a removal by a caller that has added none, while another caller has
     }
     std::vector<Entry> all = entries();
     auto at = std::lower_bound(all.begin(), all.end(), caller,

@@ -159,8 +159,8 @@ private:
     std::vector<CallerId> callers_;      // of sources_
     std::vector<std::uint64_t> cleared_; // of sources_: their versions when their calls were cleared last
     std::vector<std::uint64_t> noted_;   // of sources_: their versions when noteSpeaking() looked at them
-    std::vector<bool> speaks_;           // of sources_: whether they had calls then
-    std::vector<CallSource<Role>*> speaking_; // of sources_: the sources that had
+    std::vector<bool> speaks_;           // of sources_: whether they had calls at that time
+    std::vector<CallSource<Role>*> speaking_; // the sources that had calls at that time
     std::unique_ptr<CallSource<Role>> outside_;
     bool resolverThere_ = false;
     std::uint64_t changes_ = 1;

@@ -59,7 +59,7 @@ public:
     virtual void withdraw() = 0;
     /// The turn is done.
     virtual void end() = 0;
-    /// Instead of end(), of a turn that an exception ended: takes back the calls of this turn.
+    /// Call instead of end() if an exception ended the turn: takes back the calls of this turn.
     virtual void fail() = 0;
     /// Records `count` calls of one kind without a trace, as record() does one after the other: `bytes` are
     /// values of its C++ type side by side. For interactions that gather the calls of a turn first: it costs

@@ -159,9 +159,9 @@ public:
     template <class C, class Variant>
     void component(Variant const&&) = delete; // a temporary would not outlive the registry
     /// A component whose description was made while the program runs. `made.info` must live as long as
-    /// `made.make` does, so that the function is the one to own it.
+    /// `made.make`, for example by being owned by that function.
     void component(Registration const& made) { add(made); }
-    /// Makes the name of an extension known, a set of components that levels can state to need.
+    /// Registers the name of an extension: a set of components that a level can state as a requirement.
     void extension(std::string name) { extensions_.push_back(std::move(name)); }
     /// In order of registration.
     [[nodiscard]] std::span<std::string const> extensions() const { return extensions_; }

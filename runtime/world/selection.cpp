@@ -194,7 +194,7 @@ private:
         }
         choice.alternative = chosenOf_[component.group];
         if (choice.reason != ChoiceReason::undecided) {
-            return; // it was removed
+            return; // the component was removed
         }
         if (!isActivated(component)) {
             choice.reason = ChoiceReason::noObjects;

@@ -105,7 +105,7 @@ void World::bindAll() {
         turns.clear();
     }
     std::map<std::string_view, int> own; // readers by property: components constructed without subscriptions
-    std::map<std::string_view, int> others; // and all others
+    std::map<std::string_view, int> others; // readers by property: all other components
     for (Entry& entry : entries_) {
         if (!entry.component) {
             continue;

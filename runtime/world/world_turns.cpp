@@ -10,7 +10,7 @@ namespace trembler {
 
 bool World::due(Entry const& entry) const {
     if (divider_ && &entry == &entries_[*divider_]) {
-        return false; // it has had its turn before the first part
+        return false; // the divider has its turn before the first part
     }
     auto const period = static_cast<std::uint64_t>(entry.status.period);
     return period == 1 || (now_.part == now_.parts && (now_.frame - 1) % period == 0);

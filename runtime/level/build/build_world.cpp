@@ -261,9 +261,9 @@ private:
     std::vector<Made> made_;         ///< in the order in which they are created
     std::vector<std::pair<std::string, std::string>> aliases_;
     std::vector<MadeConnection> connections_;
-    /// Of the entries and placements made from composites, which of their objects is the main piece.
+    /// For each entry or placement made from a composite, the number of its main piece among its objects.
     std::map<std::pair<Origin::Kind, std::size_t>, std::uint32_t> mains_;
-    std::map<PartDefinition const*, std::uint32_t> numbers_; ///< of prototypes; looked up, never walked
+    std::map<PartDefinition const*, std::uint32_t> numbers_; ///< of prototypes; never iterated over
 };
 
 } // namespace

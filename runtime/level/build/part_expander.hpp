@@ -75,7 +75,7 @@ private:
     PartLibrary const& library_;
     Complain complain_;
     std::deque<StatementScope> scopes_;
-    std::map<PartDefinition const*, StatementScope const*> ofParts_; ///< looked up, never walked
+    std::map<PartDefinition const*, StatementScope const*> ofParts_; ///< never iterated over
     std::vector<PartDefinition const*> around_;                      ///< the composites being expanded
     PropertySet centre_; ///< where a piece lies that does not state its place
 };

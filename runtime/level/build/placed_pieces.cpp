@@ -70,7 +70,7 @@ std::vector<PlacedPiece> placedPieces(PartLibrary const& library, Placement cons
 std::vector<PropertySet> placedJoints(PartLibrary const& library, Placement const& placement) {
     std::vector<PropertySet> joints;
     withObjectsOf(library, placement, [&](ExpandedEntry const& expanded) {
-        Store names; // has nothing but these: references are resolved as in a world
+        Store names; // only to resolve references, as in a world
         std::vector<ObjectId> ids;
         for (std::size_t i = 0; i < expanded.objects.size(); ++i) {
             ids.push_back(names.create(fmt::format("/{}", i))); // unique, whatever the part's file says

@@ -103,7 +103,7 @@ struct LevelFile {
     int wires = 0;        ///< that the player may lay: the entry {"wire": n} of "toolbox"
     nlohmann::json goals; ///< null if there are none; puzzle/goals reads them
     nlohmann::json
-        task; ///< of a demonstration: a condition that the player shall reach with it; null if there is none
+        task; ///< of a demonstration: the condition that its player is to reach; null if there is none
     std::vector<std::string> hints;
     std::vector<TeachingStep> teaching; ///< the steps of a beginner's first lesson, in this order
     Translations texts;                 ///< in further languages

@@ -13,7 +13,7 @@ namespace trembler {
 /// How many a level may name.
 inline constexpr std::size_t mostExtensions = 50;
 
-/// Reads a list of names. Complains about names that the registry has not.
+/// Reads a list of names. Complains about names that the registry does not have.
 [[nodiscard]] std::vector<std::string> readExtensions(JsonNode const& node, Registry const& registry);
 
 } // namespace trembler
