@@ -17,7 +17,7 @@
 namespace trembler::insight {
 namespace {
 
-/// Something that may be left out of a solution as a whole.
+/// A placement, wire or deed, which can be left out of a solution as a whole.
 struct Entry {
     std::string words;
     std::vector<LeftOut> parts;
@@ -118,7 +118,7 @@ Needs needsOf(LevelRuns const& runs, Solution const& solution, std::uint64_t fra
     RunLimits const limits{.frames = patience(needs.frame, frames)};
     std::vector<LeftOut> gone;
     std::vector<Entry> entries = entriesOf(solution);
-    // What could not be left out at first may become superfluous later, so until nothing changes.
+    // An entry that was needed at first may become superfluous later, so all are tried until nothing changes.
     for (bool changed = true; changed;) {
         changed = false;
         for (auto entry = entries.begin(); entry != entries.end();) {

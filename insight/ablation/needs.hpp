@@ -19,14 +19,14 @@ struct Deed {
 
 struct Needs {
     bool solves = false;     ///< whether the whole solution solves the level; else the rest is empty
-    std::uint64_t frame = 0; ///< in which it does
-    /// The solution without what it does not need. Nothing more can be left out of it: without any one of its
-    /// placements, wires or deeds it does not solve the level in patience() (a 1-minimal subset: Zeller and
-    /// Hildebrandt, Simplifying and Isolating Failure-Inducing Input, 2002).
+    std::uint64_t frame = 0; ///< in which it solves the level
+    /// The solution without its superfluous entries. Nothing more can be left out of it: without any one of
+    /// its placements, wires or deeds it does not solve the level in patience() (a 1-minimal subset: Zeller
+    /// and Hildebrandt, Simplifying and Isolating Failure-Inducing Input, 2002).
     Solution least;
     std::vector<std::string> parts;       ///< of `least`, in order of their names, each once
     std::vector<std::string> deeds;       ///< of `least`
-    std::vector<std::string> superfluous; ///< what was left out, in words
+    std::vector<std::string> superfluous; ///< the entries that were left out, in words
     /// Of the effects at work in it that can be left out of the program, those without which `least` does not
     /// solve the level; in order of their names.
     std::vector<std::string> effects;

@@ -32,7 +32,7 @@ std::map<std::string, double> timesOf(World const& world) {
     return times;
 }
 
-/// Runs everything that the level has recorded; the first run that does not end as recorded.
+/// Runs all recorded runs of the level; returns the first run that does not end as recorded.
 std::string firstDifference(LevelRuns const& runs, double& microseconds) {
     double spent = 0;
     std::uint64_t frames = 0;
@@ -83,7 +83,7 @@ std::map<std::string, std::string> presentLevels(LevelUnderTest const& level) {
     return present;
 }
 
-/// For keys of work that runs all solutions and may name one of them.
+/// For keys of work that runs all solutions and whose result may name one of them.
 std::string everythingRecorded(LevelFile const& level) {
     std::string text;
     for (Solution const& solution : level.solutions) {

@@ -15,8 +15,8 @@ struct EffectCost {
     double microseconds = 0; ///< per frame, mean over the run
 };
 
-/// The effects at work in a run of the solution, the dearest first. Not shared out and never from a journal,
-/// as other threads would disturb the measurement.
+/// The effects at work in a run of the solution, the most expensive first. Not shared out and never from a
+/// journal, as other threads would disturb the measurement.
 [[nodiscard]] std::vector<EffectCost> effectCosts(LevelUnderTest const& level, Solution const& solution);
 
 /// A way to compute the level, and whether every recorded run still ends as recorded.
@@ -24,13 +24,13 @@ struct WayToCompute {
     std::string effect;      ///< "dynamics"
     std::string level;       ///< a detail level, or "2 substeps"
     bool present = false;    ///< it is the one that the level has now
-    bool keepsAll = false;   ///< every recorded run, and the one hands off, has the same verdict
-    std::string differs{};   ///< the first run that ends otherwise, or why no world can be built
+    bool keepsAll = false;   ///< every recorded run, and the run without input, has the same verdict
+    std::string differs{};   ///< the first run with another verdict, or why no world can be built
     double microseconds = 0; ///< per frame, of the whole world; measured, so it differs from run to run
 };
 
-/// All detail levels of all effects at work in the level, and 1, 2, 4 and 8 substeps, each with everything
-/// else as it is.
+/// All detail levels of all effects at work in the level, and 1, 2, 4 and 8 substeps, each with all other
+/// settings unchanged.
 [[nodiscard]] std::vector<WayToCompute> waysToCompute(LevelUnderTest const& level, Workers& workers);
 
 } // namespace trembler::insight

@@ -18,8 +18,8 @@ struct CauseGraph {
     bool solves = false;         ///< else the rest is empty
     std::set<std::string> parts; ///< placed part definitions; "wire" if the player laid one
     std::set<std::string> deeds; ///< "grab", "cut", "remove"; those before the level was solved
-    /// (cause, effect): titles of two different components, an event of the one among the causes of an event
-    /// of the other.
+    /// (cause, effect): titles of two different components, an event of the first is among the causes of an
+    /// event of the second.
     std::set<std::pair<std::string, std::string>> links;
 
     friend bool operator==(CauseGraph const&, CauseGraph const&) = default;

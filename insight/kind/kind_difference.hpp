@@ -1,4 +1,4 @@
-// In what two kinds of solutions differ.
+// The difference between two kinds of solutions.
 #pragma once
 
 #include "insight/kind/cause_graph.hpp"
@@ -8,7 +8,7 @@
 
 namespace trembler::insight {
 
-/// What only one of two graphs has, in alphabetical order.
+/// The parts, deeds and links that only one of two graphs has, in alphabetical order.
 struct GraphSide {
     std::vector<std::string> parts;
     std::vector<std::string> deeds;
@@ -24,7 +24,7 @@ struct KindDifference {
     [[nodiscard]] std::size_t size() const { return here.size() + there.size(); }
 };
 
-/// What `here` has and `there` has not, and the other way round.
+/// The entries of `here` that `there` lacks, and the other way round.
 [[nodiscard]] KindDifference differenceOf(CauseGraph const& here, CauseGraph const& there);
 
 /// A side in words, for designers: "spanner; Dynamics leads to Electricity <- Dynamics"; empty if there is

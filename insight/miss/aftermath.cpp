@@ -41,7 +41,7 @@ void Aftermath::look(World const& world, CircuitSight& circuits) {
         if (!part.now) {
             Miss first = miss;
             first.besides.clear();
-            addLift(first, world, Rise::any); // in one frame it sank hardly
+            addLift(first, world, Rise::any); // in one frame it has hardly sunk
             for (Miss& other : first.besides) {
                 other.frame = frame;
                 nameObjects(other, world.store());

@@ -18,10 +18,10 @@ public:
     /// A break shorter than this number of frames counts as a bounce.
     static constexpr std::uint64_t bounce = 15;
 
-    /// The condition held, but for that number of frames less than it should. Forgets what it knew. `goal`
-    /// must outlive this.
+    /// The condition held, but for that number of frames less than it should. Forgets all earlier breaks.
+    /// `goal` must outlive this object.
     void begin(ConditionMiss const& goal, std::uint64_t frame, std::uint64_t missing);
-    /// Forgets what it knew, and looks no more.
+    /// Forgets all breaks and stops looking.
     void end() { parts_.clear(); }
     /// To be called after each later frame.
     void look(World const& world, CircuitSight& circuits);

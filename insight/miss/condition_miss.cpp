@@ -197,7 +197,7 @@ Miss missOfCount(ConditionMiss const& one, World const& world, CircuitSight& cir
         sum += misses[i].measure;
     }
     Miss made = otherWayRound(one.state());
-    if (needed > 0) { // what the next one lacks says more than how many are missing
+    if (needed > 0) { // the lack of the next object says more than the missing number
         Miss const& next = misses[std::min(static_cast<std::size_t>(number), misses.size() - 1)];
         made.besides.push_back(next);
         made.measure = sum / static_cast<double>(needed);
@@ -265,7 +265,7 @@ Miss ConditionMiss::now(World const& world, CircuitSight& circuits) const {
     std::string_view const key = state_.condition().kind->key();
     auto const kind = std::find_if(kinds.begin(), kinds.end(), [&](auto const& k) { return k.key == key; });
     Miss miss = kind == kinds.end() ? otherWayRound(state_) : kind->miss(*this, world, circuits);
-    // What does not hold is not met, even if its numbers show no distance.
+    // A condition that does not hold is not met, even if its numbers show no distance.
     miss.measure = std::clamp(miss.measure, std::numeric_limits<double>::epsilon(), 1.0);
     if (timed) {
         miss.measure = shareOfTime + (1 - shareOfTime) * miss.measure;

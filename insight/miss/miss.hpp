@@ -29,7 +29,7 @@ enum class Lack : std::uint8_t {
     touches,  ///< pairs of objects that touch and should not
     held,     ///< 1: a magnet holds an object back from where it should be
     absent,   ///< 1: there is no object that another one should touch
-    change,   ///< 1: it is the other way round, and there is no measure of how nearly
+    change,   ///< 1: the state is the opposite one, and there is no measure of how near it is
 };
 /// "distance" ..., as files spell it.
 [[nodiscard]] std::string_view nameOf(Lack lack);
@@ -60,12 +60,12 @@ struct Miss {
     std::vector<CircuitGap> gaps; ///< of a circuit
     std::vector<CurrentWay> ways; ///< of Lack::ways: the connections
     bool tooMany = false;         ///< of Lack::count: too many, else too few
-    std::vector<Miss> besides;    ///< what else stood in the way: a magnet that was off; see Aftermath
+    std::vector<Miss> besides;    ///< other obstacles, such as a magnet that was off; see Aftermath
     std::size_t child = noChild;  ///< of several conditions, the one that this is about
     static constexpr std::size_t noChild = static_cast<std::size_t>(-1);
 };
 
-/// Fills in the names of the objects and of the ends of gaps, also of what is in `besides`.
+/// Fills in the names of the objects and of the ends of gaps, also for the misses in `besides`.
 void nameObjects(Miss& miss, Store const& store);
 
 } // namespace trembler::insight

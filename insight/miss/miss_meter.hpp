@@ -34,7 +34,7 @@ public:
     /// The requested results: a search needs no more than the measure of each run.
     enum class For : std::uint8_t {
         measure,     ///< the nearest misses
-        explanation, ///< also what a liquid lacked, and what ended a goal that held for too short a time
+        explanation, ///< also the lift a liquid lacked, and the end of a goal that held too briefly
     };
 
     /// Sets itself up for a world that was built from the level, before its first frame. `level` must outlive
@@ -47,12 +47,12 @@ public:
     /// To be called after every frame.
     void look(World const& world);
     [[nodiscard]] LevelMiss const& result() const { return result_; }
-    /// The nearest miss of a goal, by its place in the result, with what ended it among what stood in the way
-    /// besides.
+    /// The nearest miss of a goal, by its place in the result, with the reason why it ended among
+    /// Miss::besides.
     [[nodiscard]] GoalMiss explained(std::size_t goal) const;
 
 private:
-    /// Notes the nearest miss of a goal so far, and what there is to say of it.
+    /// Notes the nearest miss of a goal so far, and its explanation.
     void keepNearest(std::size_t goal, Miss miss, World const& world);
     [[nodiscard]] ConditionMiss const& conditionOf(std::size_t goal) const;
 

@@ -13,7 +13,7 @@
 namespace trembler::insight {
 namespace {
 
-/// m, between the middles of a coil and of what it moves.
+/// m, between the middles of a coil and of the object that it moves.
 constexpr double coilReach = 1;
 
 bool isMagnet(World const& world, ObjectId id) {

@@ -1,5 +1,5 @@
-// A report on a level for its designer: what its solutions need, how exact they must be, and what else
-// solves it.
+// A report on a level for its designer: what its solutions need, how exact they must be, and which other
+// solutions there are.
 #pragma once
 
 #include "insight/ablation/needs.hpp"
@@ -27,10 +27,10 @@ struct ReportOptions {
     int mapReach = 4;         ///< steps to each side
     bool costs = true;        ///< effects' times, and the cheapest ways to compute; not reproducible
     std::uint64_t search = 0; ///< trials in search of other solutions; 0: none
-    /// Called with what is being done, for progress; may be empty.
+    /// Called with the name of each step of the work, for progress; may be empty.
     std::function<void(std::string const&)> step = {};
-    /// Called after each part of the work with what is known by then, for a caller that shows it as it comes;
-    /// may be empty. What is not known yet is empty, and robustness has no runs.
+    /// Called after each part of the work with the report so far, for a caller that shows it as it comes; may
+    /// be empty. Parts that are not known yet are empty, and robustness has no runs.
     std::function<void(struct LevelReport const&)> sofar = {};
 };
 
@@ -87,7 +87,7 @@ struct LevelCosts {
     std::vector<EffectCost> costs; ///< of its first solution that solves it, else of a run hands off
     std::vector<WayToCompute> ways;
 };
-/// That part of a report alone, as it takes long. Throws as reportOn().
+/// The costs without the rest of a report, as they take long. Throws as reportOn().
 [[nodiscard]] LevelCosts costsOf(LevelUnderTest const& level, Workers& workers);
 
 /// One reason why a puzzle falls short.
@@ -104,7 +104,7 @@ struct Shortcoming {
     std::size_t kinds = 0;
     double share = 0; ///< 0 to 1
 };
-/// See shortcomings(). Of a report that is not complete: what is known by then.
+/// See shortcomings(). For an incomplete report: the reasons known so far.
 [[nodiscard]] std::vector<Shortcoming> shortcomingsOf(LevelReport const& report);
 
 /// Why a puzzle falls short of what is expected of one, in words; nothing expected of a demonstration: an

@@ -18,10 +18,11 @@ namespace trembler::insight {
 /// A goal's sentence in English, by its id.
 [[nodiscard]] std::string goalText(LevelReport const& report, std::string const& id);
 
-/// One table: a row for each level, with what falls short. Like toMarkdown() without times, so that it is
-/// the same on every machine.
+/// One table: a row for each level, with its shortcomings. Like toMarkdown() without times, so that it is the
+/// same on every machine.
 [[nodiscard]] std::string toMarkdownTable(std::vector<LevelReport> const& reports);
-/// That table and a section for each level: what its solutions need, where parts may lie, what was found.
+/// That table and a section for each level: the needs of its solutions, the places where parts may lie, and
+/// the solutions found.
 [[nodiscard]] std::string toMarkdown(std::vector<LevelReport> const& reports);
 /// The sections alone.
 [[nodiscard]] std::string toMarkdownSections(std::vector<LevelReport> const& reports);

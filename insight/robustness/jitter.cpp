@@ -61,7 +61,7 @@ bool canBeDisplaced(Solution const& solution) {
 
 std::optional<Solution> jittered(LevelUnderTest const& level, Solution const& solution, Jitter const& jitter,
                                  CounterRandom& random, int& redrawn) {
-    // What a designer recorded may overlap by more than a player's parts can; then overlaps do not count.
+    // Parts in a designer's recording may overlap by more than a player's can; then overlaps do not count.
     bool const fits = !whyNotPlaced(level, solution);
     for (int draw = 0; draw < mostDraws; ++draw) {
         Solution made = solution;

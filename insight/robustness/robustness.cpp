@@ -13,7 +13,7 @@
 namespace trembler::insight {
 namespace {
 
-/// What identifies a solution in keys. The name distinguishes two solutions that state the same.
+/// The text that identifies a solution in keys. The name distinguishes two solutions of equal content.
 std::string nameInKeys(LevelUnderTest const& level, Solution const& solution, std::uint64_t frames) {
     return fmt::format("{}/{}/{}/{}", level.identity(), identityOf(solution), solution.name, frames);
 }

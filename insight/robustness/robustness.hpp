@@ -35,8 +35,8 @@ struct SolvedBy {
 [[nodiscard]] std::uint64_t patienceFor(SolvedBy const& solved);
 
 /// Runs each solution with displaced placements and deeds. Run n of a solution has its own random numbers,
-/// from the seed, the level, the solution and n, none of their words. A solution of wires only, or of
-/// nothing, gets none.
+/// from the seed, the level, the solution and n, regardless of all names and texts. A solution of wires only,
+/// or an empty one, gets no runs.
 [[nodiscard]] std::vector<Robustness> robustnessOf(LevelUnderTest const& level,
                                                    std::vector<SolvedBy> const& solutions,
                                                    RobustnessOptions const& options, Workers& workers);

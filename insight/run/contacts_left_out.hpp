@@ -11,10 +11,10 @@ namespace trembler::insight {
 using ObjectPair = std::pair<ObjectId, ObjectId>;
 
 /// Sets collision groups between two frames, or before the first, so that no object of a pair touches the
-/// other one from the next frame on. What all other pairs do stays as it is: an object of each pair gets a
-/// category of its own, which only its partners leave out. `without` must hold all such pairs of the run so
-/// far, those of earlier calls too. Throws std::invalid_argument if the categories, of which there are 16, do
-/// not suffice.
+/// other one from the next frame on. All other pairs behave as before: an object of each pair gets a category
+/// of its own, which only its partners leave out. `without` must hold all such pairs of the run so far, those
+/// of earlier calls too. Throws std::invalid_argument if the categories, of which there are 16, do not
+/// suffice.
 void leaveOutContacts(World& world, std::span<ObjectPair const> without);
 
 } // namespace trembler::insight

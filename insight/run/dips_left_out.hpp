@@ -11,8 +11,8 @@ namespace trembler::insight {
 /// An object and a liquid.
 using Dip = std::pair<ObjectId, ObjectId>;
 
-/// Sets what liquids spare between two frames, or before the first: from the next frame on neither lift nor
-/// resistance of its liquid acts on the object of each pair. What was set before stays.
+/// Sets the objects on which liquids do not act, between two frames, or before the first: from the next frame
+/// on neither lift nor resistance of its liquid acts on the object of each pair. Earlier settings remain.
 void leaveOutDips(World& world, std::span<Dip const> without);
 
 } // namespace trembler::insight

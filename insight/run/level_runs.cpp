@@ -21,12 +21,12 @@ namespace {
 
 constexpr std::uint64_t minute = 3600; // frames
 
-/// What is left out of a running world.
+/// The entries that are left out of a running world.
 class LeftOutLater {
 public:
     explicit LeftOutLater(std::vector<LeftOut> const& wanted) : wanted_(wanted) {}
 
-    /// Lets that begin to be missing which is due in the next frame.
+    /// Leaves out the entries that are due in the next frame.
     void beforeFrame(LevelRun& run) {
         std::uint64_t const next = run.world().frame() + 1;
         std::vector<Dip> dips;

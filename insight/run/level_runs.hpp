@@ -46,7 +46,7 @@ class LevelRuns {
 public:
     /// `data` must outlive it. `detail` overrides the detail levels that the level states.
     LevelRuns(GameData const& data, LevelFile level, std::map<std::string, std::string> const& detail = {});
-    /// Of a program that has them without mods. Both must outlive it.
+    /// With the registry and parts of a program without mods. Both must outlive it.
     LevelRuns(Registry const& registry, PartLibrary const& parts, LevelFile level);
     LevelRuns(LevelRuns const&) = delete;
     LevelRuns& operator=(LevelRuns const&) = delete;

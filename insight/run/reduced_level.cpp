@@ -26,8 +26,8 @@ void eraseThose(std::vector<T>& list, Indices const& indices, std::string_view w
     }
 }
 
-/// Lets inputs and wires name what is left of the placed objects as the reduced run does. A wire to one that
-/// is gone goes with it, as in the game.
+/// Makes inputs and wires name the remaining placed objects as the reduced run does. A wire to an object that
+/// is gone is removed with it, as in the game.
 void renameIn(Solution& solution, PlacedNames const& names) {
     std::erase_if(solution.wires,
                   [&](LevelConnection const& wire) { return names.isGone(wire.a) || names.isGone(wire.b); });

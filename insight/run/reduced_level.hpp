@@ -1,4 +1,4 @@
-// A level and a solution without what a variation leaves out of them.
+// A level and a solution without the entries that a variation leaves out.
 #pragma once
 
 #include "insight/run/placed_names.hpp"
@@ -10,12 +10,12 @@
 
 namespace trembler::insight {
 
-/// A level and a solution without what was left out.
+/// A level and a solution without the entries that were left out.
 struct ReducedLevel {
     LevelFile level;
     Solution solution;
     std::set<std::string> effects; ///< left out
-    std::vector<LeftOut> later;    ///< what is left out of the running world, ascending by its first frame
+    std::vector<LeftOut> later;    ///< entries left out of the running world, ascending by first frame
 };
 
 /// Takes a variation's placements, wires, inputs, objects, joints and connections out. With an object go its
@@ -25,8 +25,8 @@ struct ReducedLevel {
 /// index or a name that does not exist.
 [[nodiscard]] ReducedLevel reduced(LevelFile const& level, Variation const& variation);
 
-/// The solution alone without placements, wires and inputs; of the rest of what is left out nothing. Throws
-/// as reduced().
+/// The solution alone without placements, wires and inputs; other entries of `leftOut` are ignored. Throws as
+/// reduced().
 [[nodiscard]] Solution reducedSolution(LevelFile const& level, Solution const& solution,
                                        std::vector<LeftOut> const& leftOut);
 

@@ -1,4 +1,4 @@
-// A variation of a run: a solution, and what is left out of the level and of it.
+// A variation of a run: a solution, and the entries that are left out of the level and of it.
 #pragma once
 
 #include "runtime/level/model/level.hpp"

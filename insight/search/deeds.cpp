@@ -18,7 +18,7 @@ void sortByFrame(Solution& solution) {
                      [](RecordedInput const& a, RecordedInput const& b) { return a.frame < b.frame; });
 }
 
-/// One hand does one thing after the other.
+/// The first frame after all inputs, as a hand does one deed after another.
 std::uint64_t firstFreeFrame(Solution const& solution) {
     std::uint64_t free = 1;
     for (RecordedInput const& input : solution.inputs) {

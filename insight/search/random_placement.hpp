@@ -1,4 +1,4 @@
-// Placements at random: what a search is compared with.
+// Random placements, with which a search is compared.
 #pragma once
 
 #include "insight/chance/counter_random.hpp"

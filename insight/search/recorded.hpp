@@ -1,4 +1,4 @@
-// Compares what a search finds with what a level's designer recorded.
+// Compares the solutions that a search finds with those that a level's designer recorded.
 #pragma once
 
 #include "insight/search/search.hpp"
@@ -9,7 +9,7 @@
 
 namespace trembler::insight {
 
-/// A recorded solution and its causes, without what it does not need.
+/// A recorded solution without its superfluous entries, and its causes.
 struct RecordedKind {
     std::string name;
     CauseGraph graph;
@@ -23,7 +23,7 @@ struct RecordedKind {
 [[nodiscard]] std::string recordedAs(std::vector<RecordedKind> const& recorded, FoundSolution const& found);
 
 /// A found solution as it is kept: with a name made of its parts and deeds, "found 2: steel bar", and as long
-/// as it takes, and 1 s.
+/// as it takes plus 1 s.
 [[nodiscard]] Solution keptSolution(FoundSolution const& found, std::size_t number);
 
 } // namespace trembler::insight

@@ -22,7 +22,7 @@ constexpr std::size_t generation = 64; // trials
 constexpr double byChance = 0.25;      // of the attempts of a generation: the measure may mislead
 constexpr std::size_t mostParents = 40;
 constexpr std::size_t mostAlike = 5;      // parents with the same parts and deeds
-constexpr double farther = 0.3;           // added to the miss of what has the parts of a known solution
+constexpr double farther = 0.3;           // added to the miss of attempts with the parts of a known solution
 constexpr std::uint64_t mostExamined = 2; // solutions with the same parts and deeds
 
 using MultiSet = std::multiset<std::string>;

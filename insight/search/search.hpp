@@ -23,13 +23,13 @@ struct SearchOptions {
     bool random = false;
     /// Called after every generation, in every member of a team, with the trials so far.
     std::function<void(std::uint64_t runs, std::size_t kinds)> progress;
-    /// The same, with everything found so far, for a caller that shows it as it comes.
+    /// The same, with all results so far, for a caller that shows them as they come.
     std::function<void(struct SearchResult const&)> sofar;
 };
 
 /// One kind of solution.
 struct FoundSolution {
-    Needs needs; ///< of the first solution of this kind; `needs.least` is what to keep
+    Needs needs; ///< of the first solution of this kind; keep `needs.least`
     CauseGraph graph;
     std::uint64_t run = 0;   ///< the number of the trial that found it, from 1
     std::uint64_t times = 0; ///< trials that solved the level with the same parts and deeds
@@ -49,8 +49,8 @@ struct SearchResult {
 /// 64, changes of the nearest misses, and a quarter at random, by the measure of MissMeter. An attempt with
 /// the parts of a solution that is known already counts as farther off, so that other kinds are looked for.
 /// Every found solution is reduced to what it needs, and one of each kind is kept, see differ(). The result
-/// depends on the level, the options and the program only. If the workers are stopped, it is what was found
-/// so far.
+/// depends on the level, the options and the program only. If the workers are stopped, it holds the solutions
+/// found so far.
 [[nodiscard]] SearchResult searchFor(LevelUnderTest const& level, SearchOptions const& options,
                                      Workers& workers);
 

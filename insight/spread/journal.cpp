@@ -65,7 +65,7 @@ Journal::Journal(fs::path file, Team& team) : file_(ofMember(file, team.rank()))
     if (descriptor_ < 0) {
         refuseJournal(file_, errno);
     }
-    if (endsWithinALine(file_)) { // what was cut off stays, and is left out by every reader
+    if (endsWithinALine(file_)) { // an incomplete line stays, and every reader skips it
         [[maybe_unused]] ssize_t const written = ::write(descriptor_, "\n", 1);
     }
 }

@@ -17,8 +17,8 @@ namespace trembler::insight {
 /// append to one file; the leader reads all of them. Thread-safe.
 class Journal {
 public:
-    /// Reads what is there; all members of the team must do so at the same time. Throws OutputError if the
-    /// file cannot be written, std::invalid_argument if it holds anything but such lines.
+    /// Reads the existing lines; all members of the team must do so at the same time. Throws OutputError if
+    /// the file cannot be written, std::invalid_argument if it holds anything but such lines.
     Journal(std::filesystem::path file, Team& team);
     ~Journal();
     Journal(Journal const&) = delete;

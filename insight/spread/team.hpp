@@ -18,7 +18,7 @@ public:
     /// 0 to below size().
     [[nodiscard]] virtual int rank() const { return 0; }
     [[nodiscard]] virtual int size() const { return 1; }
-    /// Gives every member what each of them contributed, by rank. Waits for all of them. From one thread.
+    /// Gives every member the contributions of all members, by rank. Waits for all of them. From one thread.
     [[nodiscard]] virtual std::vector<std::string> exchange(std::string const& mine) { return {mine}; }
     /// The one that prints and writes files.
     [[nodiscard]] bool leads() const { return rank() == 0; }

@@ -1,4 +1,4 @@
-// The run of a session once more: for stages, and for runs beside the real one.
+// Repeats the run of a session: for stages, and for runs beside the real one.
 #pragma once
 
 #include "puzzle/session/session.hpp"

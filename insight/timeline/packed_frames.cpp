@@ -14,7 +14,7 @@ struct Past {
     SharedWords last;
     SharedWords before; // the last one that differed from it
 
-    /// What a word would be if it changed again as it did before.
+    /// The value of a word if it changed again as it did before.
     [[nodiscard]] std::uint64_t expected(std::size_t at) const {
         if (!last || at >= last->size()) {
             return 0;
@@ -28,7 +28,7 @@ struct Past {
     }
 };
 
-/// How a part of a frame is stated.
+/// How a part of a frame is stored.
 enum Kind : std::uint64_t { same, absent, stated };
 
 /// Small for small positive and negative numbers.

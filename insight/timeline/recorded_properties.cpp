@@ -26,8 +26,8 @@
 namespace trembler::insight {
 namespace {
 
-/// The sounds without what only loudspeakers need: modes and their amplitudes would be the greater part of a
-/// recording.
+/// The sounds without the data that only loudspeakers need: modes and their amplitudes would be the greater
+/// part of a recording.
 Sounds recordedPart(Sounds sounds) {
     for (Sounds::Body& body : sounds.bodies) {
         body.rings.clear();

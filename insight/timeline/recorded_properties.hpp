@@ -16,8 +16,8 @@ struct RecordedSlot {
     void (*read)(Store& store, WordReader& in) = nullptr;
 };
 
-/// All recorded properties, in order of their keys. Left out is what has no meaning outside the component
-/// that writes it: journals, and choices of solvers.
+/// All recorded properties, in order of their keys. Properties without a meaning outside the component that
+/// writes them, such as journals and choices of solvers, are left out.
 [[nodiscard]] std::span<RecordedSlot const> recordedSlots();
 
 /// Writes a column: its owners and the value of each. Of properties that resolvers write all members, of

@@ -149,14 +149,14 @@ void Recording::pack() {
         std::size_t const before = packedBytes_;
         thin();
         if (packedBytes_ >= before) {
-            break; // nothing can be left out any more
+            break; // no frame can be left out any more
         }
     }
 }
 
 void Recording::thin() {
-    // The older a block is compared with how much of it has been left out, the sooner it is its turn: so what
-    // remains becomes thinner gradually towards the beginning.
+    // The older a block is compared with how much of it has been left out, the sooner it is thinned: so the
+    // remaining frames become sparser gradually towards the beginning.
     auto const age = [&](Block const& block) {
         std::uint64_t const last = loose_.empty() ? 0 : loose_.back().number;
         return static_cast<double>(last + framesInBlock - block.packed->numbers().front()) / block.stride;
@@ -219,7 +219,7 @@ void Recording::forgetAfter(std::uint64_t frame) {
         std::erase_if(loose_, [&](RecordedFrame const& each) { return each.number > frame; });
     }
     std::erase_if(loose_, [&](RecordedFrame const& each) { return each.number > frame; });
-    // What is looked at next is compared with the beginning.
+    // The next recorded values are compared with the beginning.
     std::fill(latest_.begin(), latest_.end(), nullptr);
     std::fill(versions_.begin(), versions_.end(), 0);
     structure_ = 0;

@@ -18,7 +18,7 @@
 
 namespace trembler::insight {
 
-/// What a part of a recorded frame is a value of.
+/// The part of the world's state whose value a part of a recorded frame holds.
 struct RecordedPart {
     enum class Kind : std::uint8_t {
         column,  ///< of an object property: `property`
@@ -30,10 +30,10 @@ struct RecordedPart {
     PropertyInfo const* property = nullptr; ///< nullptr: of neither a column nor a slot
 };
 
-/// Follows one run at a time. It reads, and asks nothing of the world that it would not compute anyway.
-/// Recent frames are kept as they are, older ones compressed in blocks; where more memory is used than
-/// allowed, the oldest are thinned out: of a block every second frame remains, then every fourth, in the end
-/// its first. Not thread-safe.
+/// Follows one run at a time. It only reads, and makes the world compute nothing that it would not compute
+/// anyway. Recent frames are kept as they are, older ones compressed in blocks; where more memory is used
+/// than allowed, the oldest are thinned out: of a block every second frame remains, then every fourth, in the
+/// end its first. Not thread-safe.
 class Recording {
 public:
     static constexpr std::size_t usualBytes = std::size_t{32} << 20U;
@@ -73,7 +73,7 @@ public:
 private:
     struct Block {
         std::shared_ptr<PackedFrames const> packed;
-        std::uint32_t stride = 1; // of every so many frames one is left
+        std::uint32_t stride = 1; // one of this many frames is left
     };
 
     RecordedFrame look(World const& world, GoalJudge const& judge);

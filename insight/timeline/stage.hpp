@@ -1,4 +1,4 @@
-// A world that is never stepped: it shows frames of a recording to what draws and reads worlds.
+// A world that is never stepped: it shows frames of a recording to code that draws and reads worlds.
 #pragma once
 
 #include "insight/timeline/recording.hpp"

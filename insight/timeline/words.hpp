@@ -21,7 +21,8 @@ namespace trembler::insight {
 
 using Words = std::vector<std::uint64_t>;
 
-/// Appends values. Numbers keep their bits, so that what is read is what was written, bit for bit.
+/// Appends values. Numbers keep their bits, so that values are read exactly as they were written, bit for
+/// bit.
 class WordWriter {
 public:
     explicit WordWriter(Words& words) : words_(words) {}

@@ -54,7 +54,7 @@ Solution solutionFrom(std::string const& text) {
 }
 
 std::string identityOf(Solution const& solution) {
-    Solution rest; // what the line of text leaves out
+    Solution rest; // the entries that the line of text leaves out
     rest.changes = solution.changes;
     rest.frames = solution.frames;
     std::string const text = toText(solution) + writeSolution(rest).dump();

@@ -12,8 +12,8 @@ namespace trembler::insight {
 [[nodiscard]] std::string toText(Solution const& solution);
 /// The inverse. The text must be one that toText() has made.
 [[nodiscard]] Solution solutionFrom(std::string const& text);
-/// 16 hex digits of a hash of what decides its run: that text, its changes and how long it states to run. Not
-/// its name, nor whether it is expected to solve the level.
+/// 16 hex digits of a hash of the entries that decide its run: that text, its changes and its stated
+/// duration. Not its name, nor whether it is expected to solve the level.
 [[nodiscard]] std::string identityOf(Solution const& solution);
 
 } // namespace trembler::insight

@@ -28,7 +28,7 @@ std::optional<std::string> whyNotPlacedIn(LevelUnderTest const& level, LevelRun 
     return std::nullopt;
 }
 
-/// What the level forbids, before there is a world.
+/// The rule of the level that forbids the placements; checked before there is a world.
 std::optional<std::string> whyNotAllowed(LevelUnderTest const& level, Solution const& solution) {
     PlacementCount count(level.level(), level.data().parts);
     for (Placement const& placement : solution.placements) {

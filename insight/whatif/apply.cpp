@@ -16,8 +16,8 @@ namespace {
 
 char const* const changedWhy = "something was changed to see what becomes of it";
 
-/// Moves and turns all pieces of a part together, about the object's origin, and what holds them to the
-/// world.
+/// Moves and turns all pieces of a part together, about the object's origin, and the joints that hold them to
+/// the world.
 void place(World& world, Change const& change) {
     Store& store = world.store();
     ObjectId const object = store.find(change.object);
@@ -68,7 +68,7 @@ void feed(LevelRun& run, Change const& change, int hand) {
 void leaveOut(World& world, std::string const& interaction) {
     try {
         world.setPeriod(interaction, 0);
-    } catch (std::invalid_argument const&) { // there is none of that title
+    } catch (std::invalid_argument const&) { // no interaction has that title
     }
 }
 

@@ -15,16 +15,16 @@ namespace trembler::insight {
 [[nodiscard]] int handOfGrab(std::span<RecordedInput const> inputs, WhatIf const& whatIf);
 
 /// Makes the changes in a run that has reached the frame of the what-if, between frames; the run then counts
-/// as no solution. What concerns objects that do not exist in it is left out. Changes of kind `input` are
-/// left to the caller, who feeds the inputs, as are later inputs of grabs, whose hand is `hand`.
+/// as no solution. Changes to objects that do not exist in it are left out. Changes of kind `input` are left
+/// to the caller, who feeds the inputs, as are later inputs of grabs, whose hand is `hand`.
 void apply(Registry const& registry, LevelRun& run, WhatIf const& whatIf, int hand = 1);
 
 /// The inputs that the grabs of a what-if consist of after their first frame.
 [[nodiscard]] std::vector<RecordedInput> inputsOfGrabs(WhatIf const& whatIf, int hand = 1);
 
-/// Those of the run's inputs that come all the same. Without a grab there are neither its moves nor its
-/// release. While a grab of the what-if lasts its hand does nothing else: what it holds in the run it lets go
-/// of, and what it would grab it does not grab.
+/// The run's inputs that remain. If a grab is left out, so are its moves and its release. While a grab of the
+/// what-if lasts, its hand does nothing else: it releases the object that it holds in the run, and grabs no
+/// other.
 [[nodiscard]] std::vector<RecordedInput> inputsLeft(std::span<RecordedInput const> inputs,
                                                     WhatIf const& whatIf, int hand = 1);
 

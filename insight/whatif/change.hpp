@@ -1,4 +1,4 @@
-// One thing that is changed between two frames of a run, to see what becomes of it.
+// A change between two frames of a run, to see its consequences.
 #pragma once
 
 #include "runtime/math/vec2.hpp"

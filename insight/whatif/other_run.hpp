@@ -1,4 +1,4 @@
-// The run that there would be if something had been changed at a moment, beside the real one.
+// The run with something changed at a moment, computed beside the real run.
 #pragma once
 
 #include "insight/timeline/recording.hpp"
@@ -54,7 +54,7 @@ public:
     [[nodiscard]] bool begun() const { return recording_.begun(); }
     /// From the moment on: its frame is as it is after the changes.
     [[nodiscard]] Recording const& recording() const { return recording_; }
-    /// As it is after the last computed frame. Only if it is built, as for what follows.
+    /// As it is after the last computed frame. This and the functions below: only if it is built.
     [[nodiscard]] LevelRun const& run() const { return *other_; }
 
     /// The first frame whose state has another hash than in the real run; nothing if there is none so far. An

@@ -67,7 +67,7 @@ struct Answer {
     bool confirmed = false;
     std::optional<GoalMiss> nearest; ///< of a goal that was not met
     std::size_t runs = 0;            ///< how many runs it took
-    bool complete = true;            ///< false: it was cancelled, and has what was found by then
+    bool complete = true;            ///< false: it was cancelled, and has only the results so far
     SceneFacts facts;
     std::uint64_t frames = 0; ///< of the run that was asked about
 };
@@ -80,7 +80,7 @@ struct AskOptions {
     /// Called after each run with the number of runs so far and of those planned; false: no further ones.
     /// From any thread, one at a time.
     std::function<bool(std::size_t done, std::size_t of)> progress;
-    /// Asked after every frame, from any thread; true: ends as soon as it can, with what it has.
+    /// Asked after every frame, from any thread; true: ends as soon as it can, with the results so far.
     std::function<bool()> stop;
 };
 

@@ -12,7 +12,7 @@
 namespace trembler::insight {
 namespace {
 
-/// Whether a step is a contact that is taken for granted with something of which the question does not speak.
+/// Whether a step is a contact that is taken for granted with an object that the question does not name.
 bool isGround(Step const& step, Story const& story, SceneFacts const& facts) {
     std::vector<std::string> const& asked = story.askedStep().objects;
     return isGranted(step, facts) &&
@@ -132,7 +132,7 @@ std::vector<StepSet> shownCauses(Story const& story, std::vector<bool> const& sh
         StepSet causes;
         for (std::size_t const cause : nearest[i]) {
             if (beside[i].contains(cause)) {
-                causes.insert(result[cause].begin(), result[cause].end()); // in its place, what led to it
+                causes.insert(result[cause].begin(), result[cause].end()); // in its place, its own causes
             } else {
                 causes.insert(cause);
             }
@@ -153,7 +153,7 @@ std::vector<StepSet> shownCauses(Story const& story, std::vector<bool> const& sh
     return result;
 }
 
-/// Makes what is known without the trace a cause of what did not happen without it.
+/// Makes each step that is known without the trace a cause of the steps that did not happen without it.
 void connect(Story& story, SecondRuns::Tested const& tested) {
     for (auto const& [cause, effect] : tested.effects) {
         std::vector<std::size_t>& because = story.steps[effect].because;

@@ -83,8 +83,8 @@ CollisionGroups groupsOf(Store const& store, ObjectId id) {
     return stated == nullptr ? CollisionGroups{} : *stated;
 }
 
-/// Whether a touch of the two is a likely way to close a circuit: not of what passes through each other, and
-/// not of a coil, which is connected by wires.
+/// Whether a touch of the two is a likely way to close a circuit: not of objects that pass through each
+/// other, and not of a coil, which is connected by wires.
 bool isContact(Store const& store, ObjectId a, ObjectId b) {
     return canHit(groupsOf(store, a), groupsOf(store, b)) && entryOf<Electromagnet>(store, a) == nullptr &&
            entryOf<Electromagnet>(store, b) == nullptr;

@@ -19,7 +19,7 @@ enum class GapReason : std::uint8_t {
     slow,    ///< a generator turns too slowly to be connected with its source
     quiet,   ///< a sound sensor hears too little to connect them
     blown,   ///< one of them is a fuse that has blown
-    foreign, ///< they are the two ends of a source with another network, which passes no current but its own
+    foreign, ///< they are the two ends of a source of another network, which passes only its own current
 };
 /// "apart" ..., as files spell it.
 [[nodiscard]] std::string_view nameOf(GapReason reason);

@@ -41,7 +41,7 @@ Miss missOfOn(ConditionState const& state, World const& world, CircuitSight& cir
             miss.measure = current_miss::shareOfPower +
                            (1 - current_miss::shareOfPower) * cut.cost / (cut.cost + typicalDistance);
         } else if (cut.hopeless) {
-            if (best.lack == Lack::change) { // what has a measure says more
+            if (best.lack == Lack::change) { // a miss with a measure says more
                 best.lack = Lack::source;
                 best.objects = {id};
             }

@@ -1,4 +1,4 @@
-// Connections that something else than a touch makes or breaks: generators, sound sensors and fuses.
+// Connections that are made or broken other than by a touch: generators, sound sensors and fuses.
 #pragma once
 
 #include "insight/miss/current/circuit_gaps.hpp"
@@ -17,7 +17,7 @@ public:
     explicit SwitchedLinks(World const& world);
 
     /// The gap between two conductors that a generator or a sensor would close, with its reason and its cost;
-    /// nothing if no touch is missing there but that. `a` before `b`.
+    /// nothing if neither would close a gap there. `a` before `b`.
     [[nodiscard]] std::optional<CircuitGap> between(ObjectId a, ObjectId b) const;
     /// Whether a gap cannot be closed by a touch, as one of the two is a blown fuse; then it gets that
     /// reason, and a higher cost.

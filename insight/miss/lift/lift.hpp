@@ -18,9 +18,9 @@ enum class Rise : std::uint8_t {
 /// would lift the object there less than it, what joints tie it to and all that lies on them weigh; and, if
 /// the object and what joints tie it to are welded together and carry something, the torque by which that
 /// turns them more than the liquid rights them. Carried is what lies on top, through others as well. Does the
-/// same for what stood in the way besides. Adds nothing for other objects, for places outside of liquids, and
-/// where nothing is lacking. The objects of what is added: the liquid, the object, and what it is tied to and
-/// carries.
+/// same for the misses in `besides`. Adds nothing for other objects, for places outside of liquids, and where
+/// nothing is lacking. The objects of an added miss: the liquid, the object, and the objects that it is tied
+/// to and carries.
 void addLift(Miss& miss, World const& world, Rise rise = Rise::clear);
 
 } // namespace trembler::insight

@@ -96,7 +96,7 @@ Group groupOf(World const& world, Neighbours const& neighbours, ObjectId id) {
         open.pop_back();
         std::optional<Body> const body = bodyOf(world, at);
         if (!body) {
-            continue; // what is fixed ties nothing together
+            continue; // a fixed object ties nothing together
         }
         group.bodies.push_back(*body);
         for (Neighbour const& one : neighbours.tiedTo(at)) {

@@ -1,4 +1,4 @@
-// A body with all that moves with it, and the bodies that lie on these.
+// A body with the bodies that move with it, and the bodies that lie on these.
 #pragma once
 
 #include "physics/buoyancy/hulls/liquid_area.hpp"

@@ -14,7 +14,7 @@ struct Target {
     std::string component;
     std::string what;
     std::vector<std::string> objects;
-    std::size_t times = 1;   ///< it was this event's how many-th time
+    std::size_t times = 1;   ///< occurrences of this event up to it, itself included
     std::uint64_t frame = 0; ///< in which it happened
     Story story;
     StepPlaces places; ///< of the first run

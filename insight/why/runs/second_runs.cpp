@@ -130,7 +130,7 @@ std::size_t SecondRuns::firstPreventing(std::vector<Candidate> const& candidates
                                     sets.begin() + static_cast<std::ptrdiff_t>(end));
         std::vector<Outcome> outcomes = without(candidates, some, false);
         for (std::size_t i = 0; i < outcomes.size() && complete_; ++i) {
-            noteRun(done_ + sets.size() - begin - i); // one after the other would not have begun later ones
+            noteRun(done_ + sets.size() - begin - i); // sequential runs would not have begun the later sets
             if (outcomes[i].kind == Outcome::Kind::prevented) {
                 outcome = std::move(outcomes[i]);
                 return begin + i;

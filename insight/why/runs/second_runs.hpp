@@ -26,15 +26,15 @@ public:
         /// first step of the story that did not happen without them, which is the asked one at the latest.
         std::map<std::size_t, std::size_t> effects;
     };
-    /// Each candidate is left out by itself. If what was asked
-    /// about happens without any one of some of them, but not without all of these, several would have
-    /// sufficed: then a smallest set of them without which it does not happen is found by halving (delta
-    /// debugging, Zeller and Hildebrandt 2002). The same is done with the player's deeds alone if no single
-    /// one of them is known by then. A step that is no candidate is confirmed if it did not happen
-    /// either in a run without one of its causes in which what was asked about did not happen.
+    /// Leaves out each candidate by itself. If what was asked about happens without any one of some of them,
+    /// but not without all of these, several would have sufficed: then a smallest set of them without which
+    /// it does not happen is found by halving (delta debugging, Zeller and Hildebrandt 2002). The same is
+    /// done with the player's deeds alone if no single one of them is known by then. A step that is no
+    /// candidate is confirmed if it did not happen either in a run without one of its causes in which what
+    /// was asked about did not happen.
     [[nodiscard]] Tested test(std::vector<Candidate> const& candidates);
 
-    /// Those whose results were needed.
+    /// The number of runs whose results were needed.
     [[nodiscard]] std::size_t runs() const { return done_; }
     [[nodiscard]] bool complete() const { return complete_; }
 
@@ -51,7 +51,7 @@ private:
     using Set = std::vector<std::size_t>; ///< of candidates
     /// One run. It ends as soon as what was asked about happens.
     [[nodiscard]] Outcome without(std::vector<Candidate> const& candidates, Set const& left);
-    /// Runs without each of the sets. `note`: each counts.
+    /// Runs without each of the sets. `note`: whether each run is counted.
     [[nodiscard]] std::vector<Outcome> without(std::vector<Candidate> const& candidates,
                                                std::vector<Set> const& sets, bool note);
     /// A smallest set within one without which it is prevented, and the outcome of the run without it.
@@ -59,7 +59,7 @@ private:
     /// The first of the sets without which it is prevented; the number of sets if there is none.
     [[nodiscard]] std::size_t firstPreventing(std::vector<Candidate> const& candidates,
                                               std::vector<Set> const& sets, Outcome& outcome);
-    /// Counts a run; false, and does not, if no further ones are wanted.
+    /// Counts a run; returns false without counting it if no further runs are wanted.
     bool noteRun(std::size_t planned);
     [[nodiscard]] bool stops();
     /// The end of the first bridge from a deed that did not happen in the run without the deed, and by which

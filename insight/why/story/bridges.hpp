@@ -11,8 +11,8 @@
 
 namespace trembler::insight {
 
-/// What led to the event of one device, as events by their places in the trace, ascending; the device's is
-/// the last.
+/// The events that led to the event of one device, by their places in the trace, ascending; the device's
+/// event is the last.
 struct Bridge {
     struct Link {
         std::size_t event = 0;

@@ -13,14 +13,15 @@ namespace trembler::insight {
 /// Whether a step is something that the player did: laid, connected, took hold of, cut or removed.
 [[nodiscard]] bool isDeed(StepKind kind);
 
-/// Finds what a story's steps by hand are in the solution. Each deed is that of one step only.
+/// Finds the deeds in the solution that belong to a story's steps by hand. Each deed belongs to one step
+/// only.
 class DeedFinder {
 public:
     /// The solution must outlive it.
     explicit DeedFinder(Solution const& solution);
 
-    /// The deed of a step of kind grabbed, cut or removed, which no earlier step was; nullptr if there is
-    /// none.
+    /// The deed of a step of kind grabbed, cut or removed, which belongs to no earlier step; nullptr if there
+    /// is none.
     [[nodiscard]] Deed const* find(Step const& step);
     /// The deeds that were not found so far, with a step for each, in their order.
     [[nodiscard]] std::vector<Step> others() const;

@@ -32,7 +32,7 @@ bool isSame(ChainStep const& a, ChainStep const& b) {
 Block blockAt(std::vector<ChainStep> const& chain, std::size_t begin) {
     Block best{begin, 0, 0};
     for (std::size_t period = 1; period <= longestCycle && begin + period < chain.size(); ++period) {
-        std::size_t same = 0; // steps that are as one period before
+        std::size_t same = 0; // steps equal to the step one period before
         while (begin + period + same < chain.size() &&
                isSame(chain[begin + same], chain[begin + period + same])) {
             ++same;
@@ -69,7 +69,7 @@ void foldRepeats(std::vector<ChainStep>& chain) {
             keep(i++);
             continue;
         }
-        std::set<std::size_t> entries; // what led to the block from outside
+        std::set<std::size_t> entries; // steps outside the block that led to it
         for (std::size_t at = block.begin; at < block.last(); ++at) {
             for (std::size_t const cause : chain[at].step.because) {
                 if (cause < block.begin) {

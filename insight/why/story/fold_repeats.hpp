@@ -1,4 +1,4 @@
-// Makes a chain short in which the same happens over and over.
+// Shortens a chain in which the same steps repeat.
 #pragma once
 
 #include "insight/why/answer.hpp"

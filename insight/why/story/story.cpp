@@ -30,7 +30,7 @@ constexpr std::array<KindName, 13> namedKinds{{{"contact begun", StepKind::conta
 
 using Names = std::vector<std::string>;
 
-/// Gathers what the trace says of each event, in one pass.
+/// Gathers the causes of each event in the trace, in one pass.
 class Reader {
 public:
     explicit Reader(std::span<Event const> events, SceneFacts const& facts)
@@ -119,7 +119,7 @@ private:
                });
     }
 
-    /// What carries an object is the liquid that it is in, or that something is in to which it is tied.
+    /// An object is carried by the liquid that contains it, or that contains an object to which it is tied.
     void addImmersions(std::string const& name, std::set<std::size_t>& causes) const {
         auto const tied = facts_.tied.find(name);
         for (auto const& [objects, event] : immersed_) {

@@ -1,4 +1,4 @@
-// The events that led to an event, without the calls between components: what a person would name.
+// The events that led to an event, without the calls between components: the events that a person would name.
 #pragma once
 
 #include "insight/why/story/scene_facts.hpp"
@@ -17,9 +17,9 @@ namespace trembler::insight {
 enum class StepKind : std::uint8_t {
     goal,      ///< a goal was met
     contact,   ///< two objects began to touch, or touched for less than a frame
-    apart,     ///< they ceased to
+    apart,     ///< two objects ceased to touch
     on,        ///< current began to flow through an object
-    off,       ///< it ceased to
+    off,       ///< current ceased to flow through an object
     magnetOn,  ///< a magnet was switched on
     magnetOff, ///< or off
     pull,      ///< a magnet began to act on an object

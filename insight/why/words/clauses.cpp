@@ -159,14 +159,14 @@ Clauses clausesOf(Step const& step, SceneFacts const& facts, std::string const& 
         objects.front() = wholeOf(objects.front(), facts);
     }
     if (objects.size() == 2 && facts.fixed.contains(objects[0]) && !facts.fixed.contains(objects[1])) {
-        std::swap(objects[0], objects[1]); // what moves touches what does not
+        std::swap(objects[0], objects[1]); // the moving object touches the resting one
     }
     auto const at = std::find_if(kindTexts.begin(), kindTexts.end(),
                                  [&](KindText const& text) { return text.kind == step.kind; });
     if (at != kindTexts.end()) {
         return {language.say(at->main, objects), language.say(at->because, objects)};
     }
-    // Tells of the bodies, as a joint need not have a name.
+    // Names the bodies, as a joint need not have a name.
     if (step.what == "joint overloaded" && step.objects.size() > 1) {
         std::vector<std::string> const bodies(step.objects.begin() + 1, step.objects.end());
         if (bodies.size() == 1) {
@@ -181,7 +181,7 @@ Clauses clausesOf(Step const& step, SceneFacts const& facts, std::string const& 
     if (known != eventTexts.end() && !step.objects.empty()) {
         return {language.say(known->main, step.objects), language.say(known->because, step.objects)};
     }
-    // What a script records has its own words.
+    // An event that a script records has its own words.
     std::string const whose = objects.empty() ? std::string() : language.the(objects.front()) + ": ";
     std::string const text = whose + language.fill(step.what, {});
     return {text, language.fill("because of this: {}", {text})};

@@ -23,7 +23,7 @@ public:
     AnswerLanguage() = default;
     explicit AnswerLanguage(Catalogue const& catalogue) : catalogue_(&catalogue) {}
 
-    /// An English text with what is said for each "{}"; in the translation, "{akk}" and "{dat}" are cases.
+    /// An English text with the content for each "{}"; in the translation, "{akk}" and "{dat}" are cases.
     [[nodiscard]] std::string mix(std::string_view english, std::vector<Said> const& said) const;
     /// The same with a name for each gap.
     [[nodiscard]] std::string say(std::string_view english, std::vector<std::string> const& names = {}) const;

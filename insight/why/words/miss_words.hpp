@@ -1,4 +1,4 @@
-// What a goal lacked, in words and as JSON.
+// The lacks of a goal, in words and as JSON.
 #pragma once
 
 #include "insight/miss/miss.hpp"

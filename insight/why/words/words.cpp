@@ -83,7 +83,7 @@ private:
     std::string const& goal_;
     AnswerLanguage const& language_;
     std::vector<bool> written_;
-    std::set<std::size_t> cycles_; // that were told
+    std::set<std::size_t> cycles_; // that the sentences have named
     std::vector<std::string> sentences_;
 };
 
