@@ -16,8 +16,8 @@ namespace trembler {
 
 /// Why `candidate` may not be placed in addition to `others`, in words for the player; nothing if it may. Its
 /// part must exist and be left in the toolbox, and its centre must lie in one of the areas for placing (if
-/// none are stated, anywhere within the level's bounds). Overlaps, and whether the whole outline of a part that
-/// a player places lies there, are not checked here, as shapes are physics.
+/// none are stated, anywhere within the level's bounds). Overlaps, and whether the whole outline of a part
+/// that a player places lies there, are not checked here, as shapes are physics.
 [[nodiscard]] std::optional<std::string> checkPlacement(LevelFile const& level, PartLibrary const& library,
                                                         std::span<Placement const> others,
                                                         Placement const& candidate);
