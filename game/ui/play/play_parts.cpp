@@ -292,9 +292,8 @@ std::vector<render::Extent> PlayParts::extents() const {
     constexpr double gap = 0.06; // m, around each
     render::Extent const focus = render::sceneFocus(session.world());
     std::vector<render::Extent> all;
-    for (render::Facts const& facts : render::FactsReader(session.world()).drawOrder()) {
-        render::Extent const own = render::extentOf(facts, render::poseOf(facts));
-        if (own.empty() || !own.overlaps(focus)) {
+    for (render::Extent const& own : render::extentsOf(session.world())) {
+        if (!own.overlaps(focus)) {
             continue;
         }
         render::Extent seen; // of a floor without end only the part that matters

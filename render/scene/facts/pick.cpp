@@ -42,6 +42,16 @@ Extent extentOf(Facts const& facts, Pose const& pose) {
     return around;
 }
 
+std::vector<Extent> extentsOf(World const& world) {
+    std::vector<Extent> all;
+    for (Facts const& facts : FactsReader(world).drawOrder()) {
+        if (Extent const own = extentOf(facts, poseOf(facts)); !own.empty()) {
+            all.push_back(own);
+        }
+    }
+    return all;
+}
+
 Extent pictureExtentOf(Facts const& facts, Pose const& pose) {
     Extent around = extentOf(facts, pose);
     if (facts.drawing != nullptr) {

@@ -4,6 +4,8 @@
 #include "render/scene/facts/poses.hpp"
 #include "render/scene/facts/shape_geometry.hpp"
 
+#include <vector>
+
 namespace trembler::render {
 
 /// The topmost object under a point of the world, as drawScene draws it. If there is none, the object whose
@@ -17,7 +19,9 @@ namespace trembler::render {
 
 /// The rectangle around an object's body, or the sign that stands for it; empty if it has neither.
 [[nodiscard]] Extent extentOf(Facts const& facts, Pose const& pose);
-/// The same for a part that lies at `pose`.
+/// The rectangles around all objects that have a body or a sign, in the order in which they are drawn.
+[[nodiscard]] std::vector<Extent> extentsOf(World const& world);
+/// The rectangle around a part that lies at `pose`.
 [[nodiscard]] Extent extentOf(Prototype const& prototype, Pose const& pose);
 
 /// The rectangle around everything that is drawn of an object, its drawing and its lights included. Not

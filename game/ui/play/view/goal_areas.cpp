@@ -4,7 +4,6 @@
 #include "game/ui/shared/texts.hpp"
 #include "puzzle/goals/read_goals.hpp"
 #include "render/panels/world_label.hpp"
-#include "render/scene/facts/facts.hpp"
 #include "render/scene/facts/pick.hpp"
 
 namespace trembler::ui {
@@ -58,12 +57,7 @@ render::Extent GoalAreas::extent() const {
 }
 
 void GoalAreas::lookAt(World const& world) {
-    objects_.clear();
-    for (render::Facts const& facts : render::FactsReader(world).drawOrder()) {
-        if (render::Extent const own = render::extentOf(facts, render::poseOf(facts)); !own.empty()) {
-            objects_.push_back(own);
-        }
-    }
+    objects_ = render::extentsOf(world);
 }
 
 void GoalAreas::drawWords(render::Camera const& camera) const {

@@ -1,7 +1,5 @@
 // The name of an area is written where it covers no object.
 #include "game/ui/play/view/area_name_place.hpp"
-#include "render/scene/areas.hpp"
-#include "render/scene/facts/facts.hpp"
 #include "render/scene/facts/pick.hpp"
 #include "tests/game/ui/player.hpp"
 
@@ -56,13 +54,7 @@ TEST(AreaNamePlace, CoversNoBoxOfTheRaft) {
     for (render::Size const size : {render::Size{800, 600}, {1280, 720}, {2560, 1440}}) {
         Player player(size);
         player.open(levelsFolder() / "experiments/4-raft.json");
-        World const& world = player.session().world();
-        std::vector<Extent> objects;
-        for (render::Facts const& facts : render::FactsReader(world).drawOrder()) {
-            if (Extent const own = render::extentOf(facts, render::poseOf(facts)); !own.empty()) {
-                objects.push_back(own);
-            }
-        }
+        std::vector<Extent> const objects = render::extentsOf(player.session().world());
         render::Camera const& camera = player.play().camera();
         Point const words{70, 18}; // about that of "the surface"
         Point const half = (0.5 / camera.pixelsPerMetre) * words;
