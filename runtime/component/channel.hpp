@@ -30,7 +30,7 @@ public:
         sources_.push_back(source);
         cleared_.push_back(0);
         noted_.push_back(0);
-        speaks_.push_back(false);
+        hadCalls_.push_back(false);
         callers_.push_back(source->caller);
         ++changes_;
     }
@@ -40,8 +40,8 @@ public:
         sources_.clear();
         cleared_.clear();
         noted_.clear();
-        speaks_.clear();
-        speaking_.clear();
+        hadCalls_.clear();
+        withCalls_.clear();
         callers_.clear();
         resolverThere_ = false;
         ++changes_;
@@ -112,33 +112,33 @@ public:
     }
     /// Notes which sources have calls. To be called before an advance: in it, no call is made. Looks only at
     /// sources that have made or withdrawn calls since the last time.
-    void noteSpeaking() {
+    void noteSourcesWithCalls() {
         bool changed = false;
         for (std::size_t i = 0; i < sources_.size(); ++i) {
             if (sources_[i]->version != noted_[i]) {
                 noted_[i] = sources_[i]->version;
-                bool const speaks = !sources_[i]->empty();
-                changed = changed || speaks != speaks_[i];
-                speaks_[i] = speaks;
+                bool const hasCalls = !sources_[i]->empty();
+                changed = changed || hasCalls != hadCalls_[i];
+                hadCalls_[i] = hasCalls;
             }
         }
         if (changed) {
-            speaking_.clear();
+            withCalls_.clear();
             for (std::size_t i = 0; i < sources_.size(); ++i) {
-                if (speaks_[i]) {
-                    speaking_.push_back(sources_[i]);
+                if (hadCalls_[i]) {
+                    withCalls_.push_back(sources_[i]);
                 }
             }
         }
     }
-    /// The same as forCalls() after noteSpeaking(), without a look at the sources that have no calls: most
-    /// interactions sleep, and a resolver goes through its sources once for each kind of call.
+    /// The same as forCalls() after noteSourcesWithCalls(), without a look at the sources that have no calls:
+    /// most interactions sleep, and a resolver goes through its sources once for each kind of call.
     template <InteractionCall C, class F>
     void forNotedCalls(F&& f) const {
-        drain<C>(speaking_, std::forward<F>(f));
+        drain<C>(withCalls_, std::forward<F>(f));
     }
-    /// The sources that had calls when noteSpeaking() looked at them last, in drain order.
-    [[nodiscard]] std::span<CallSource<Role>* const> speaking() const { return speaking_; }
+    /// The sources that had calls when noteSourcesWithCalls() looked at them last, in drain order.
+    [[nodiscard]] std::span<CallSource<Role>* const> sourcesWithCalls() const { return withCalls_; }
 
 private:
     template <InteractionCall C, class F>
@@ -158,9 +158,9 @@ private:
     std::vector<CallSource<Role>*> sources_;
     std::vector<CallerId> callers_;      // of sources_
     std::vector<std::uint64_t> cleared_; // of sources_: their versions when their calls were cleared last
-    std::vector<std::uint64_t> noted_;   // of sources_: their versions when noteSpeaking() looked at them
-    std::vector<bool> speaks_;           // of sources_: whether they had calls at that time
-    std::vector<CallSource<Role>*> speaking_; // the sources that had calls at that time
+    std::vector<std::uint64_t> noted_;   // of sources_: their versions when they were looked at last
+    std::vector<bool> hadCalls_;         // of sources_: whether they had calls at that time
+    std::vector<CallSource<Role>*> withCalls_; // the sources that had calls at that time
     std::unique_ptr<CallSource<Role>> outside_;
     bool resolverThere_ = false;
     std::uint64_t changes_ = 1;

@@ -129,7 +129,7 @@ public:
     /// then remain, and the rest of it is never carried out.
     void run(FrameContext const& context) final {
         openSinks(context, 1, Phase::resolver);
-        channel_->noteSpeaking();
+        channel_->noteSourcesWithCalls();
         try {
             Access access(*this, context);
             static_cast<Self&>(*this).advance(access);

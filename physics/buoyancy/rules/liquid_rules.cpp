@@ -85,7 +85,7 @@ public:
         }
         std::vector<LiquidPiece> const pieces = liquidPieces(*found->placed.shape, found->placed.pose);
         std::optional<std::string> fault = betweenPieces(*found, pieces);
-        return fault ? fault : withOthers(*found, pieces);
+        return fault ? fault : faultWithOtherLiquids(*found, pieces);
     }
 
 private:
@@ -113,8 +113,8 @@ private:
         return std::nullopt;
     }
 
-    [[nodiscard]] std::optional<std::string> withOthers(PlacedLiquid const& liquid,
-                                                        std::vector<LiquidPiece> const& pieces) const {
+    [[nodiscard]] std::optional<std::string>
+    faultWithOtherLiquids(PlacedLiquid const& liquid, std::vector<LiquidPiece> const& pieces) const {
         std::uint32_t before = liquid.first; // lowest number of a piece that it overlaps
         double first = 0;                    // m², of that overlap
         for (std::uint32_t i = 0; i < pieces.size(); ++i) {

@@ -149,9 +149,9 @@ private:
     void peel(MaxFlow& found) {
         std::vector<std::size_t> next(boost::num_vertices(graph_), 0);
         std::vector<Edge> way;
-        std::vector<std::uint8_t> onWay(boost::num_vertices(graph_), 0);
+        std::vector<std::uint8_t> onPath(boost::num_vertices(graph_), 0);
         FlowVertex here = gate();
-        onWay[here] = 1;
+        onPath[here] = 1;
         while (true) {
             if (here == sink()) {
                 Microamperes least = unlimited;
@@ -160,7 +160,7 @@ private:
                 }
                 for (Edge const e : way) {
                     graph_[e].residual += least;
-                    onWay[boost::target(e, graph_)] = 0;
+                    onPath[boost::target(e, graph_)] = 0;
                     if (FlowVertex const from = boost::source(e, graph_);
                         from < source() && from % 2 == 0 && boost::target(e, graph_) == from + 1) {
                         found.through[from / 2].current += least;
@@ -168,7 +168,7 @@ private:
                 }
                 way.clear();
                 here = gate();
-                onWay[here] = 1;
+                onPath[here] = 1;
                 continue;
             }
             auto const [first, last] = boost::out_edges(here, graph_);
@@ -183,19 +183,19 @@ private:
             FlowVertex const to = boost::target(e, graph_);
             way.push_back(e);
             here = to;
-            if (onWay[to] != 0) { // a cycle
+            if (onPath[to] != 0) { // a cycle
                 auto const start = std::find_if(
                     way.begin(), way.end(), [&](Edge const& x) { return boost::source(x, graph_) == to; });
                 Microamperes least = unlimited;
                 std::for_each(start, way.end(), [&](Edge x) { least = std::min(least, flowOf(x)); });
                 std::for_each(start, way.end(), [&](Edge x) {
                     graph_[x].residual += least;
-                    onWay[boost::target(x, graph_)] = 0;
+                    onPath[boost::target(x, graph_)] = 0;
                 });
-                onWay[to] = 1;
+                onPath[to] = 1;
                 way.erase(start, way.end());
             }
-            onWay[to] = 1;
+            onPath[to] = 1;
         }
     }
     [[nodiscard]] Microamperes flowOf(Edge const e) const {

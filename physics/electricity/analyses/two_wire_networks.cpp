@@ -96,7 +96,7 @@ private:
         std::vector<std::pair<std::uint32_t, std::uint32_t>> inBlocks; // block, vertex
         for (std::size_t i = 1; i < nodes.size(); ++i) {
             if (forest_.sameTree(nodes[i - 1], nodes[i])) {
-                joinWay(forest_.commonAncestor(nodes[i - 1], nodes[i]), nodes[i], inBlocks);
+                joinPath(forest_.commonAncestor(nodes[i - 1], nodes[i]), nodes[i], inBlocks);
             }
         }
         std::sort(inBlocks.begin(), inBlocks.end());
@@ -107,8 +107,8 @@ private:
             at = end;
         }
     }
-    void joinWay(std::uint32_t above, std::uint32_t below,
-                 std::vector<std::pair<std::uint32_t, std::uint32_t>>& inBlocks) {
+    void joinPath(std::uint32_t above, std::uint32_t below,
+                  std::vector<std::pair<std::uint32_t, std::uint32_t>>& inBlocks) {
         std::uint32_t top = above;
         if (forest_.isBlock(above)) {
             top = forest_.childTowards(above, below);

@@ -5,7 +5,7 @@
 #include <rapidcheck.h>
 
 namespace trembler {
-namespace speaking_sources_test {
+namespace sources_with_calls_test {
 namespace {
 
 using heat::AddHeat;
@@ -36,35 +36,35 @@ std::vector<double> notedStrikes(Channel<HeatRole> const& channel) {
     return all;
 }
 
-TEST(SpeakingSources, AreTheOnlyOnesThatAnAdvanceLooksAt) {
+TEST(SourcesWithCalls, AreTheOnlyOnesThatAnAdvanceLooksAt) {
     std::deque<Source> sources(5);
     Channel<HeatRole> channel;
     for (Source& source : sources) {
         channel.add(&source);
     }
-    channel.noteSpeaking();
-    EXPECT_TRUE(channel.speaking().empty());
+    channel.noteSourcesWithCalls();
+    EXPECT_TRUE(channel.sourcesWithCalls().empty());
     addStrike(sources[3], 0, 1);
     addHeld(sources[3], 0, 2);
     addStrike(sources[1], 0, 3);
     ++sources[3].version;
     ++sources[1].version;
-    channel.noteSpeaking();
-    ASSERT_EQ(channel.speaking().size(), 2U);
+    channel.noteSourcesWithCalls();
+    ASSERT_EQ(channel.sourcesWithCalls().size(), 2U);
     EXPECT_EQ(notedStrikes(channel), (std::vector<double>{3, 1})) << "in the order of sources";
     channel.clearOnce();
-    channel.noteSpeaking();
+    channel.noteSourcesWithCalls();
     EXPECT_TRUE(notedStrikes(channel).empty());
     ++sources[1].version; // a turn without calls, after one with calls
-    channel.noteSpeaking();
-    ASSERT_EQ(channel.speaking().size(), 1U);
-    EXPECT_EQ(channel.speaking()[0], &sources[3]) << "its call is held while it sleeps";
+    channel.noteSourcesWithCalls();
+    ASSERT_EQ(channel.sourcesWithCalls().size(), 1U);
+    EXPECT_EQ(channel.sourcesWithCalls()[0], &sources[3]) << "its call is held while it sleeps";
     channel.clearSources();
-    EXPECT_TRUE(channel.speaking().empty());
+    EXPECT_TRUE(channel.sourcesWithCalls().empty());
 }
 
 // Turns of sources in any order, with and without calls, and advances between them.
-TEST(SpeakingSources, HaveAllCallsInEveryAdvance) {
+TEST(SourcesWithCalls, HaveAllCallsInEveryAdvance) {
     EXPECT_TRUE(rc::check([](std::vector<std::uint8_t> const& deeds) {
         std::deque<Source> sources(4);
         Channel<HeatRole> channel;
@@ -84,7 +84,7 @@ TEST(SpeakingSources, HaveAllCallsInEveryAdvance) {
                 }
                 source.version += stood || !source.empty() ? 1 : 0;
             } else if (deed >= 8) { // an advance
-                channel.noteSpeaking();
+                channel.noteSourcesWithCalls();
                 RC_ASSERT(notedStrikes(channel) == allStrikes(channel));
                 std::vector<double> held;
                 channel.forNotedCalls<AddHeat>(
@@ -102,5 +102,5 @@ TEST(SpeakingSources, HaveAllCallsInEveryAdvance) {
 }
 
 } // namespace
-} // namespace speaking_sources_test
+} // namespace sources_with_calls_test
 } // namespace trembler
