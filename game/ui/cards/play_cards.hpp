@@ -29,8 +29,8 @@ struct GoalCardLook {
 };
 
 struct SuccessLook {
-    bool narrow = false;        ///< in the toolbox's place, so that it covers nothing of the machine
-    bool confetti = false;      ///< something may move for decoration
+    bool narrow = false; ///< in the toolbox's place, so that it covers nothing of the machine
+    bool moving = false; ///< something may move for decoration: confetti, and the seal as it is pressed on
     char const* next = nullptr; ///< the words of the button that leads on; nullptr: "Next level"
     bool last = false;          ///< every puzzle is solved now
 };

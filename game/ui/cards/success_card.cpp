@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace trembler::ui {
 namespace {
@@ -57,7 +58,7 @@ void drawConfetti(double age, float left) {
     }
 }
 
-/// A round stamp with a tick, pressed on with a small bounce.
+/// A round stamp with a tick, pressed on with a small bounce; `age` in s, infinity: at rest.
 void drawSeal(ImVec2 centre, float radius, double age) {
     auto const t = static_cast<float>(std::min(age / 0.35, 1.0));
     float const grown = radius * (1 + 0.9F * (1 - t) * (1 - t));
@@ -77,7 +78,7 @@ void drawSuccess(CommandButtons& buttons, Session const& session, Celebration co
         return;
     }
     Layout& layout = buttons.layout();
-    if (look.confetti) {
+    if (look.moving) {
         drawConfetti(celebration.age(), ImGui::GetIO().DisplaySize.x - scaled(toolboxWidth + 2 * cardGap));
     }
     // In a run the toolbox leaves its place, where nothing of the machine lies.
@@ -88,7 +89,8 @@ void drawSuccess(CommandButtons& buttons, Session const& session, Celebration co
     float const seal = scaled(30);
     ImVec2 const at = ImGui::GetCursorScreenPos();
     if (layout.card("success")) { // never alone: the card is not seen before its size is known
-        drawSeal({at.x + seal, at.y + seal}, seal, celebration.age());
+        drawSeal({at.x + seal, at.y + seal}, seal,
+                 look.moving ? celebration.age() : std::numeric_limits<double>::infinity());
     }
     ImGui::SetCursorScreenPos({at.x + 2 * seal + scaled(16), at.y - scaled(2)});
     ImGui::BeginGroup();

@@ -185,7 +185,7 @@ std::optional<CarriedPart> carriedPart(PlayParts const& parts) {
 }
 
 SuccessLook successLook(PlayParts const& parts, bool narrow) {
-    SuccessLook look{.narrow = narrow, .confetti = !parts.context.profile.settings().reducedMotion};
+    SuccessLook look{.narrow = narrow, .moving = !parts.context.profile.settings().reducedMotion};
     if (!parts.celebration.showing()) {
         return look;
     }

@@ -15,19 +15,25 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 namespace trembler::ui {
 namespace {
 
-/// The direction that is held on a gamepad, in steps.
-Vec2 padDirection(render::InputEvents const& input) {
-    auto const held = [&](SDL_GameControllerButton button) {
-        return input.keyHeld(render::padKey(button)) ? 1.0 : 0.0;
+/// The direction that is held on a gamepad, in steps. Keys are left to the keyboard's repetition.
+Vec2 padDirection(UiContext const& context) {
+    auto const held = [&](std::string_view command) {
+        auto const keys = context.keys.keysOf(command);
+        return std::any_of(keys.begin(), keys.end(),
+                           [&](Chord const& chord) {
+                               return render::isPadKey(chord.key) && context.input.keyHeld(chord.key);
+                           })
+                   ? 1.0
+                   : 0.0;
     };
-    return {held(SDL_CONTROLLER_BUTTON_DPAD_RIGHT) - held(SDL_CONTROLLER_BUTTON_DPAD_LEFT),
-            held(SDL_CONTROLLER_BUTTON_DPAD_UP) - held(SDL_CONTROLLER_BUTTON_DPAD_DOWN)};
+    return {held("move-right") - held("move-left"), held("move-up") - held("move-down")};
 }
 
 /// Keys that act on the screen while a card has the keyboard: function keys, and those with Ctrl; of a
@@ -69,7 +75,7 @@ std::optional<ScreenRequest> PlayScreen::update(double seconds) {
                                            parts_.hand.busy() || parts_.secondHand.busy());
     bool const cardKeys = parts_.whatIfTool->cardHasKeys();
     passKeysToCard(cardKeys);
-    holdDirection(cardKeys ? Vec2{} : padDirection(context.input), seconds, mouse);
+    holdDirection(cardKeys ? Vec2{} : padDirection(context), seconds, mouse);
     parts_.pointer = parts_.keyPointer.instead(mouse, parts_.camera(),
                                                !cardKeys && isHeld(context.input, context.keys, "act"));
     parts_.allBack.pass(seconds);
@@ -206,7 +212,7 @@ void PlayScreen::updateBehindMenu(double seconds) {
 bool PlayScreen::still() const {
     constexpr double ringsOut = 3; // s, in which the last sounds die away
     bool const celebrates = parts_.celebration.showing() && parts_.celebration.age() < 5;
-    bool const moves = lengthSquared(padDirection(parts_.context.input)) > 0;
+    bool const moves = lengthSquared(padDirection(parts_.context)) > 0;
     return sinceStep_ > ringsOut && !celebrates && !moves && !parts_.lesson.moving() &&
            !parts_.timeline.moving() && !parts_.whatIf->moving() && !parts_.squash.moving() &&
            !parts_.cuts.moving() && !parts_.secondPointer.moving() && parts_.sparks.sparks().empty() &&

@@ -1,6 +1,8 @@
 // The level's screen without a mouse: the pointer that keys move, and one key as the button.
 #include "tests/game/ui/player.hpp"
 
+#include <algorithm>
+
 namespace trembler::ui::test {
 namespace key_pointer_test {
 namespace {
@@ -121,6 +123,53 @@ TEST_F(KeysAlone, TheSecondHandHoldsAnotherThing) {
     player.frames(3);
     EXPECT_FALSE(player.play().hand().held().valid());
     EXPECT_FALSE(player.play().secondHand().held().valid());
+}
+
+TEST_F(KeysAlone, HaveTwoHands) {
+    player.open(levelsFolder() / "experiments/1-switched-electromagnet.json");
+    player.key(SDLK_SPACE);
+    player.simulate(60);
+    ObjectId const lever = player.session().world().store().find("switch");
+    Vec2 const at = player.session().world().find<Position>(lever)->value;
+    go({std::round(at.x / gridStep) * gridStep, std::round(at.y / gridStep) * gridStep});
+    player.hold(SDLK_RETURN);
+    player.frames(20);
+    ASSERT_EQ(player.play().hand().held(), lever);
+    player.hold(SDLK_g);
+    player.letGo(SDLK_RETURN);
+    player.frames(3);
+    EXPECT_EQ(player.play().hand().held(), lever) << "the first hand stays";
+    player.hold(SDLK_RETURN);
+    player.frames(20);
+    EXPECT_EQ(player.play().secondHand().held(), lever) << "both hold the same thing";
+    player.letGo(SDLK_RETURN);
+    player.letGo(SDLK_g);
+    player.frames(3);
+    EXPECT_FALSE(player.play().hand().held().valid());
+    EXPECT_FALSE(player.play().secondHand().held().valid());
+}
+
+// The direction that is held down, as well as each press, is that of the buttons that the player chose.
+TEST_F(KeysAlone, HaveTheButtonsThatThePlayerChose) {
+    using render::padKey;
+    player.open(levelsFolder() / "first/1-first-contact.json");
+    KeyBindings& keys = player.app().context().keys;
+    auto const& all = keys.commands();
+    auto const right = std::find_if(all.begin(), all.end(),
+                                    [](CommandInfo const* command) { return command->id == "move-right"; });
+    ASSERT_NE(right, all.end());
+    ASSERT_FALSE(keys.bind(**right, {padKey(SDL_CONTROLLER_BUTTON_PADDLE1)}));
+    go({0, 1});
+    auto const movedBy = [&](SDL_GameControllerButton button) {
+        double const before = player.play().keyPointer().at().x;
+        player.hold(padKey(button));
+        player.frames(40);
+        player.letGo(padKey(button));
+        return player.play().keyPointer().at().x - before;
+    };
+    EXPECT_EQ(movedBy(SDL_CONTROLLER_BUTTON_DPAD_RIGHT), 0);
+    EXPECT_GT(movedBy(SDL_CONTROLLER_BUTTON_PADDLE1), 3 * gridStep);
+    keys.reset();
 }
 
 } // namespace

@@ -84,6 +84,32 @@ TEST(SecondPlayer, MayHaveTheOnlyGamepadIfTheSettingsSaySo) {
     useSecondHand(player, pad);
 }
 
+TEST(OneGamepad, WinsTheFirstLevel) {
+    Player player;
+    VirtualPad const pad;
+    if (!pad.works()) {
+        GTEST_SKIP() << "this SDL has no virtual gamepads";
+    }
+    player.open(levelsFolder() / "first/1-first-contact.json");
+    pad.push(player, SDL_CONTROLLER_AXIS_TRIGGERRIGHT, 32000);
+    ASSERT_TRUE(player.play().placing().carried());
+    auto const at = [&] { return player.play().keyPointer().at(); };
+    pad.press(player, SDL_CONTROLLER_BUTTON_DPAD_LEFT); // the pointer appears
+    Vec2 const there{-1.8, 1.2};
+    for (int i = 0; i < 200 && std::abs(at().x - there.x) > gridStep / 2; ++i) {
+        pad.press(player,
+                  at().x > there.x ? SDL_CONTROLLER_BUTTON_DPAD_LEFT : SDL_CONTROLLER_BUTTON_DPAD_RIGHT);
+    }
+    for (int i = 0; i < 200 && std::abs(at().y - there.y) > gridStep / 2; ++i) {
+        pad.press(player, at().y > there.y ? SDL_CONTROLLER_BUTTON_DPAD_DOWN : SDL_CONTROLLER_BUTTON_DPAD_UP);
+    }
+    pad.press(player, SDL_CONTROLLER_BUTTON_A);
+    ASSERT_EQ(player.session().placed().size(), 1U);
+    pad.press(player, SDL_CONTROLLER_BUTTON_X);
+    player.simulate(600);
+    EXPECT_TRUE(player.session().solved());
+}
+
 TEST(OneGamepad, ReachesSpeedWiresGroupsAndFlipping) {
     Player player;
     VirtualPad const pad;
