@@ -16,7 +16,7 @@ namespace trembler {
 namespace {
 
 TEST(Parts, HaveTextsForPlayersAndABody) {
-    ASSERT_GE(levelKit().parts.all().size(), 20U);
+    ASSERT_GE(levelKit().parts.all().size(), 60U);
     std::set<std::string> titles;
     for (PartDefinition const* part : levelKit().parts.all()) {
         EXPECT_FALSE(part->text.empty()) << part->name;
@@ -34,6 +34,66 @@ TEST(Parts, HaveTextsForPlayersAndABody) {
 
 TEST(Parts, ThatAreCompositesHaveAllTheirPieces) {
     EXPECT_NO_THROW(checkComposites(levelKit().parts));
+}
+
+// The kinds of parts that players and designers may expect, and balls of seven materials.
+TEST(Parts, AreThereForEveryEffect) {
+    for (char const* const name : {"iron weight",
+                                   "plank",
+                                   "ramp",
+                                   "domino",
+                                   "seesaw",
+                                   "hinge",
+                                   "spring",
+                                   "trampoline",
+                                   "rope",
+                                   "chain",
+                                   "pulley",
+                                   "bucket",
+                                   "crate",
+                                   "door",
+                                   "latch",
+                                   "small cog",
+                                   "small wooden cog",
+                                   "belt",
+                                   "wheel",
+                                   "cart",
+                                   "truck",
+                                   "bar magnet",
+                                   "horseshoe magnet",
+                                   "electromagnet",
+                                   "compass",
+                                   "battery",
+                                   "mains",
+                                   "wire",
+                                   "plug",
+                                   "socket",
+                                   "push switch",
+                                   "toggle",
+                                   "pressure plate",
+                                   "relay",
+                                   "fuse",
+                                   "lamp",
+                                   "motor",
+                                   "generator",
+                                   "bell",
+                                   "doorbell",
+                                   "sound sensor",
+                                   "metronome",
+                                   "water tank",
+                                   "float",
+                                   "raft",
+                                   "cork",
+                                   "balloon"}) {
+        EXPECT_NE(levelKit().parts.find(name), nullptr) << name;
+    }
+    std::set<Material> ofBalls;
+    for (PartDefinition const* part : levelKit().parts.all()) {
+        if (part->name.ends_with(" ball") && !part->composite()) {
+            ofBalls.insert(part->properties.find<MadeOf>()->material);
+        }
+    }
+    EXPECT_GE(ofBalls.size(), 7U);
 }
 
 TEST(Parts, AreAllValidTogetherInOneWorld) {

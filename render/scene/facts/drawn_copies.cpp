@@ -63,6 +63,55 @@ double reachOf(DrawnShape const& shape) {
     return 0;
 }
 
+Extent extentOf(DrawnShape const& shape, Pose const& pose) {
+    Extent around;
+    auto const add = [&](double x, double y) { around.add(toWorld(pose, {x, y})); };
+    switch (shape.form) {
+    case DrawnForm::box:
+        for (double const x : {-0.5 * shape.width, 0.5 * shape.width}) {
+            add(x, -0.5 * shape.height);
+            add(x, 0.5 * shape.height);
+        }
+        return around;
+    case DrawnForm::capsule: {
+        double const along = std::max(0.0, 0.5 * shape.width - shape.radius);
+        add(-along, 0);
+        add(along, 0);
+        return around.widened(shape.radius);
+    }
+    case DrawnForm::circle:
+    case DrawnForm::ring:
+        add(0, 0);
+        return around.widened(reachOf(shape));
+    case DrawnForm::polygon:
+        for (Vec2 const corner : shape.corners) {
+            add(corner.x, corner.y);
+        }
+        return around;
+    case DrawnForm::line:
+        for (Point const point : pathOf(shape)) {
+            add(point.x, point.y);
+        }
+        return around.widened(0.5 * shape.thickness);
+    case DrawnForm::arc: {
+        // Its ends, and its points that are farthest to the right, top, left and bottom in the world.
+        double const begin = pose.angle + 0.5 * (pi - shape.sweep);
+        auto const addAt = [&](double angle) {
+            around.add(pose.at + shape.radius * Point{std::cos(angle), std::sin(angle)});
+        };
+        addAt(begin);
+        addAt(begin + shape.sweep);
+        double const quarter = 0.5 * pi;
+        for (double angle = std::ceil(begin / quarter) * quarter; angle < begin + shape.sweep;
+             angle += quarter) {
+            addAt(angle);
+        }
+        return around.widened(0.5 * shape.thickness);
+    }
+    }
+    return around;
+}
+
 std::vector<Point> pathOf(DrawnShape const& line) {
     std::vector<Point> stated;
     for (Vec2 const point : line.points) {

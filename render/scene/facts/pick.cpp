@@ -57,9 +57,9 @@ Extent pictureExtentOf(Facts const& facts, Pose const& pose) {
     if (facts.drawing != nullptr) {
         for (DrawnShape const& shape : facts.drawing->shapes) {
             for (std::int32_t copy = 0; copy < shape.repeat && isShown(shape.when, facts); ++copy) {
-                Extent own;
-                own.add(toWorld(pose, poseOfCopy(shape, copy).at));
-                around.add(own.widened(reachOf(shape) + shape.glow));
+                Pose const own = poseOfCopy(shape, copy);
+                Extent const drawn = extentOf(shape, {toWorld(pose, own.at), pose.angle + own.angle});
+                around.add(drawn.widened(shape.glow));
             }
         }
     }

@@ -24,8 +24,8 @@ namespace trembler::render {
 /// The rectangle around a part that lies at `pose`.
 [[nodiscard]] Extent extentOf(Prototype const& prototype, Pose const& pose);
 
-/// The rectangle around everything that is drawn of an object, its drawing and its lights included. Not
-/// exact: it may be larger than the picture.
+/// The rectangle around everything that is drawn of an object, its drawing and its lights included, but not
+/// its shadow and the outlines.
 [[nodiscard]] Extent pictureExtentOf(Facts const& facts, Pose const& pose);
 
 /// The rectangle around all objects that are seen, for Camera::fit; empty for an empty world. Of fixed bodies

@@ -1,5 +1,6 @@
 #include "render/scene/objects/part.hpp"
 
+#include "physics/dynamics/properties/body.hpp"
 #include "render/draw/path.hpp"
 #include "render/scene/facts/pick.hpp"
 #include "render/scene/objects/joint_parts.hpp"
@@ -196,6 +197,20 @@ void drawPartOnTile(Canvas& canvas, PartLibrary const& library, Placement const&
                        std::max(cableWidth, cable.length > 0 ? least : 0));
     }
     drawPieces(canvas, part, {});
+}
+
+Placement placementOnTile(PartLibrary const& library, std::string const& part) {
+    constexpr double slim = 2.2;   // times as long as high
+    constexpr double slope = 0.52; // rad
+    Placement placement{part, {}, 0, ""};
+    PartDefinition const* const definition = library.find(part);
+    Extent const flat = extentOnTile(library, placement);
+    if (definition != nullptr && !definition->composite() &&
+        definition->properties.find<Fixed>() == nullptr && !flat.empty() &&
+        flat.half().x > slim * flat.half().y) {
+        placement.angle = slope;
+    }
+    return placement;
 }
 
 Extent extentOnTile(PartLibrary const& library, Placement const& placement) {

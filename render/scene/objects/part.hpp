@@ -20,6 +20,9 @@ void drawPart(Canvas& canvas, PartLibrary const& library, Placement const& place
 /// The same for the picture on a tile of the toolbox, where a part is to be recognised by itself: a cable
 /// that a rope bounds has its whole length there and lies in a loop, and is never as thin as a hair.
 void drawPartOnTile(Canvas& canvas, PartLibrary const& library, Placement const& placement);
+/// How a part lies on its tile: straight, as in a world, but a long loose thing, such as a bar or a spanner,
+/// lies diagonally, so that it is not taken for one that is fixed, such as a shelf.
+[[nodiscard]] Placement placementOnTile(PartLibrary const& library, std::string const& part);
 [[nodiscard]] Extent extentOnTile(PartLibrary const& library, Placement const& placement);
 
 } // namespace trembler::render

@@ -64,6 +64,24 @@ TEST_F(MachineParts, ADoorbellRingsAgainAndAgainUntilTheCurrentStops) {
     }
 }
 
+TEST_F(MachineParts, ADoorbellCanBeTakenApart) {
+    for (std::string const piece : {"bell bell", "bell coil"}) {
+        put("bell", "doorbell", {0, 1.5});
+        wire("plus", "bell left");
+        wire("bell right", "minus");
+        input(300, "\"remove\": \"" + piece + "\"");
+        start();
+        EXPECT_GE(hits("bell striker", "bell bell", 300).size(), 8U);
+        EXPECT_GE(hits("bell striker", "bell contact", 420).size(), 1U);
+        std::size_t const beats = hits("bell striker", "bell contact", 900).size();
+        if (piece == "bell bell") {
+            EXPECT_GE(beats, 6U) << "without its bell it goes on interrupting its current, in wider swings";
+        } else {
+            EXPECT_LE(beats, 2U) << "nothing pulls the striker";
+        }
+    }
+}
+
 TEST_F(MachineParts, ABuzzerRattlesSeveralTimesASecond) {
     put("buzzer", "buzzer", {0, 1.5});
     wire("plus", "buzzer left");

@@ -45,11 +45,7 @@ unsigned PartCatalog::picture(std::string const& part, int pixels) {
         made.pixels = pixels;
         made.target->bind();
         render::clearBound(render::tileGround());
-        // Long parts are drawn diagonally, which fills the square best.
-        render::Extent const flat = render::extentOnTile(parts_, {part, {}, 0, ""});
-        bool const slim = !flat.empty() && std::max(flat.half().x, flat.half().y) >
-                                               2.2 * std::min(flat.half().x, flat.half().y);
-        Placement const lying{part, {}, slim ? 0.52 : 0.0, ""};
+        Placement const lying = render::placementOnTile(parts_, part);
         render::Extent const extent = render::extentOnTile(parts_, lying);
         render::Camera camera{{}, 100, {pixels, pixels}};
         if (!extent.empty()) {
