@@ -5,7 +5,9 @@
 #include "render/panels/theme.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
+#include <vector>
 
 namespace trembler::render {
 
@@ -15,6 +17,10 @@ using namespace palette;
 
 constexpr std::size_t mostToasts = 5;
 constexpr double fadeSeconds = 0.25;
+// Pixels at UI scale 1.
+constexpr float markSize = 26;
+constexpr float paddingSize = 13;
+constexpr float toastGap = 10;
 
 std::pair<Colour, Icon> lookOf(ToastKind kind) {
     switch (kind) {
@@ -28,6 +34,73 @@ std::pair<Colour, Icon> lookOf(ToastKind kind) {
     return {accent, Icon::Next};
 }
 
+/// A rectangle of the window, pixels.
+struct Box {
+    ImVec2 low;
+    ImVec2 high;
+
+    [[nodiscard]] bool overlaps(Box const& other) const {
+        return low.x < other.high.x && other.low.x < high.x && low.y < other.high.y && other.low.y < high.y;
+    }
+};
+
+struct ToastPlace {
+    Box box;
+    float textWidth; ///< at which its lines are broken
+};
+
+/// The middle of the window, and those between any two edges of the rectangles.
+std::vector<float> middlesBetween(std::span<Box const> taken, float screen) {
+    std::vector<float> middles{0.5F * screen};
+    std::vector<float> edges{0, screen};
+    for (Box const& box : taken) {
+        edges.push_back(box.low.x);
+        edges.push_back(box.high.x);
+    }
+    std::sort(edges.begin(), edges.end());
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+        for (std::size_t j = i + 1; j < edges.size(); ++j) {
+            middles.push_back(0.5F * (edges[i] + edges[j]));
+        }
+    }
+    return middles;
+}
+
+/// The place of which the lower edge is highest; in the middle of the window if all are equal, or if there is
+/// none.
+ToastPlace placeOf(std::string const& words, std::span<Box const> taken) {
+    ImVec2 const screen = ImGui::GetIO().DisplaySize;
+    float const edge = scaled(8);
+    std::vector<float> const middles = middlesBetween(taken, screen.x);
+    std::vector<float> tops{scaled(18)};
+    for (Box const& box : taken) {
+        tops.push_back(box.high.y + scaled(toastGap));
+    }
+    std::optional<ToastPlace> best;
+    std::optional<ToastPlace> usual;
+    for (float const share : {0.4F, 0.28F, 0.2F, 0.14F}) {
+        float const most = share * screen.x;
+        ImVec2 const text = ImGui::CalcTextSize(words.c_str(), nullptr, false, most);
+        ImVec2 const size{text.x + scaled(markSize) + 3 * scaled(paddingSize),
+                          std::max(text.y, scaled(markSize)) + 2 * scaled(10)};
+        for (float const middle : middles) {
+            for (float const top : tops) {
+                Box const box{{middle - 0.5F * size.x, top}, {middle + 0.5F * size.x, top + size.y}};
+                usual = usual ? usual : ToastPlace{box, most};
+                bool const inside = box.low.x >= edge && box.high.x <= screen.x - edge && box.low.y >= 0 &&
+                                    box.high.y <= screen.y - edge;
+                bool const better = !best || box.high.y < best->box.high.y - 1;
+                if (inside && better && std::none_of(taken.begin(), taken.end(), [&](Box const& other) {
+                        return box.overlaps(other);
+                    })) {
+                    best = ToastPlace{box, most};
+                }
+            }
+        }
+    }
+    return best ? *best : *usual;
+}
+
 } // namespace
 
 void Toasts::add(std::string text, ToastKind kind, double seconds) {
@@ -38,10 +111,13 @@ void Toasts::add(std::string text, ToastKind kind, double seconds) {
     toasts_.push_back({std::move(text), kind, std::clamp(seconds, 0.5, 60.0), 0});
 }
 
-void Toasts::draw(double seconds, std::optional<Rectangle> kept) {
+void Toasts::draw(double seconds, std::span<Rectangle const> kept) {
     auto& list = *ImGui::GetForegroundDrawList();
-    ImVec2 const screen = ImGui::GetIO().DisplaySize;
-    float y = scaled(18);
+    std::vector<Box> taken;
+    for (auto const& [low, high] : kept) {
+        taken.push_back({{static_cast<float>(low.x), static_cast<float>(low.y)},
+                         {static_cast<float>(high.x), static_cast<float>(high.y)}});
+    }
     ImGui::PushFont(theme().fonts.strong);
     for (auto& toast : toasts_) {
         toast.age += seconds;
@@ -49,21 +125,14 @@ void Toasts::draw(double seconds, std::optional<Rectangle> kept) {
         auto const shown =
             static_cast<float>(std::clamp(std::min(toast.age, toast.left) / fadeSeconds, 0.0, 1.0));
         auto const [colour, icon] = lookOf(toast.kind);
-        float const most = 0.4F * screen.x; // fits between the goals and the buttons at the top
+        auto const [place, most] = placeOf(toast.text, taken);
         ImVec2 const text = ImGui::CalcTextSize(toast.text.c_str(), nullptr, false, most);
-        float const mark = scaled(26);
-        float const padding = scaled(13);
-        float const width = text.x + mark + 3 * padding;
-        float const height = std::max(text.y, mark) + 2 * scaled(10);
-        float const left = 0.5F * (screen.x - width);
-        float highest = 0; // where it may begin while it comes down
-        if (kept && left < static_cast<float>(kept->second.x) &&
-            left + width > static_cast<float>(kept->first.x) && y < static_cast<float>(kept->second.y) &&
-            y + height > static_cast<float>(kept->first.y)) {
-            highest = static_cast<float>(kept->second.y) + scaled(4);
-            y = static_cast<float>(kept->second.y) + scaled(10);
-        }
-        ImVec2 const low{left, std::max(y - (1 - shown) * scaled(14), highest)};
+        float const mark = scaled(markSize);
+        float const padding = scaled(paddingSize);
+        float const width = place.high.x - place.low.x;
+        float const height = place.high.y - place.low.y;
+        taken.push_back({place.low, {place.high.x, place.low.y + shown * (height + scaled(toastGap))}});
+        ImVec2 const low = place.low;
         ImVec2 const high{low.x + width, low.y + height};
         float const rounding = scaled(10);
         list.AddRectFilled({low.x, low.y + scaled(4)}, {high.x, high.y + scaled(4)},
@@ -75,7 +144,6 @@ void Toasts::draw(double seconds, std::optional<Rectangle> kept) {
         drawIcon(list, icon, centre, 0.5F * mark, imColour(faded(paperLight, shown)));
         list.AddText(nullptr, 0, {low.x + 2 * padding + mark, 0.5F * (low.y + high.y - text.y)},
                      imColour(faded(ink, shown)), toast.text.c_str(), nullptr, most);
-        y += (height + scaled(10)) * shown;
     }
     ImGui::PopFont();
     std::erase_if(toasts_, [](Toast const& toast) { return toast.left <= 0; });

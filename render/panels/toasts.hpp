@@ -5,7 +5,7 @@
 
 #include <cstdint>
 #include <deque>
-#include <optional>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -22,9 +22,11 @@ public:
 
     /// Corners of a rectangle of the window, pixels from the top left.
     using Rectangle = std::pair<Point, Point>;
-    /// Draws them at the top of the window and lets `seconds` pass; between Gui::beginFrame and endFrame.
-    /// Toasts that would lie on `kept` come below it.
-    void draw(double seconds, std::optional<Rectangle> kept = {});
+    /// Draws them near the top of the window and lets `seconds` pass; between Gui::beginFrame and endFrame.
+    /// Each is as high in the window as it can be without lying on a rectangle of `kept` or on an earlier
+    /// toast, and is broken into shorter lines where that helps; it lies on `kept` only where there is no
+    /// other room.
+    void draw(double seconds, std::span<Rectangle const> kept = {});
 
     [[nodiscard]] std::size_t count() const { return toasts_.size(); }
     /// The text of the newest toast that is shown; "" if there is none.

@@ -242,9 +242,9 @@ bool GameApp::frame(double seconds, bool seen) {
         context_.window.beginFrame(render::palette::paper);
         screen_->draw();
     }
-    std::optional<render::Toasts::Rectangle> kept; // nothing hides that the level is solved
-    if (auto const success = context_.layout.card("success"); success && !menu_.isOpen()) {
-        kept.emplace(success->low, success->high);
+    std::vector<render::Toasts::Rectangle> kept; // cards, on which messages would hide words or buttons
+    for (Placed const& card : context_.layout.cards()) {
+        kept.emplace_back(card.rect.low, card.rect.high);
     }
     context_.toasts.draw(seconds, kept); // seen or not, they grow older
     if (drawn) {

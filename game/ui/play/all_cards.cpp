@@ -10,6 +10,7 @@
 #include "game/ui/shared/words.hpp"
 #include "render/draw/palette.hpp"
 #include "render/panels/theme.hpp"
+#include "render/scene/areas.hpp"
 
 #include <algorithm>
 #include <stdexcept>
@@ -176,6 +177,23 @@ void drawPast(PlayParts& parts, CommandButtons& buttons, float bottom) {
     }
 }
 
+/// Whether the goal card lies where a part that is held now may be placed. Once hidden it stays so until the
+/// part is let go.
+bool goalInTheWay(PlayParts const& parts) {
+    auto const& carried = parts.placing.carried();
+    if (!(carried && !carried->turning) && !parts.group.dragging()) {
+        return false;
+    }
+    auto const card = parts.context.layout.card("goal");
+    auto const& places = parts.session.level().placing;
+    return parts.goalAside ||
+           (card && places && std::any_of(places->begin(), places->end(), [&](Area const& area) {
+                render::Extent const place = render::extentOf(area);
+                return card->overlaps({parts.camera().toScreen({place.lower.x, place.upper.y}),
+                                       parts.camera().toScreen({place.upper.x, place.lower.y})});
+            }));
+}
+
 std::optional<CarriedPart> carriedPart(PlayParts const& parts) {
     auto const& carried = parts.placing.carried();
     if (!carried || carried->turning) { // a part that turns stays where it is
@@ -212,7 +230,8 @@ std::optional<std::size_t> drawPlayCards(PlayParts& parts, CommandSet const& com
     Beside const beside = cardsBeside(parts);
     bool const choosing =
         parts.timeline.shown() && (parts.timeline.probes().choosing() || parts.whatIf->active());
-    if (beside.goal && !(choosing && beside.narrow)) { // the card of plots takes its room
+    parts.goalAside = goalInTheWay(parts);
+    if (beside.goal && !parts.goalAside && !(choosing && beside.narrow)) { // the card of plots takes its room
         auto const asked = drawGoalCard(layout, session,
                                         {.said = &parts.said,
                                          .hintsShown = parts.hintsShown,

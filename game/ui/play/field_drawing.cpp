@@ -130,7 +130,7 @@ void drawWords(PlayParts const& parts, bool bare) {
         ImGui::GetBackgroundDrawList()->AddCallback(ImDrawCallback_ResetRenderState, nullptr);
     }
     drawSceneWords(camera, world, parts.scene, parts.alpha(), parts.shown.names);
-    parts.goals.drawWords(camera);
+    parts.goals.drawWords(camera, bare ? std::span<Placed const>() : parts.context.layout.cards());
     if (bare) {
         return;
     }

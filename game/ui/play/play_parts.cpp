@@ -288,32 +288,6 @@ void PlayParts::showCut() {
                                scene.poseOf(world, wire.b)));
 }
 
-std::vector<render::Extent> PlayParts::extents() const {
-    constexpr double gap = 0.06; // m, around each
-    render::Extent const focus = render::sceneFocus(session.world());
-    std::vector<render::Extent> all;
-    for (render::Extent const& own : render::extentsOf(session.world())) {
-        if (!own.overlaps(focus)) {
-            continue;
-        }
-        render::Extent seen; // of a floor without end only the part that matters
-        for (render::Point const corner : {own.lower, own.upper}) {
-            seen.add(render::Point{std::clamp(corner.x, focus.lower.x, focus.upper.x),
-                                   std::clamp(corner.y, focus.lower.y, focus.upper.y)});
-        }
-        all.push_back(seen.widened(gap));
-    }
-    if (session.level().placing) {
-        for (Area const& area : *session.level().placing) {
-            all.push_back(render::extentOf(area).widened(gap));
-        }
-    }
-    if (render::Extent const goal = goals.extent(); !goal.empty()) {
-        all.push_back(goal.widened(gap));
-    }
-    return all;
-}
-
 std::optional<TurnHandle> PlayParts::handle() {
     return turnHandle(session, placing, catalog(), pointer.pixel);
 }

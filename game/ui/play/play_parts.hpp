@@ -96,6 +96,7 @@ struct PlayParts {
     FieldMouse mouse;
     std::unique_ptr<LiveMods> liveMods; ///< nullptr: the level names no mods
     ModsPanel modsPanel;
+    bool goalAside = false; ///< the goal card is hidden: a part is held, and may be placed where the card was
     bool movesView = false; ///< arrow keys and the directional pad move the view
     AskedTwice allBack;     ///< whether all parts are to be put back
     Shown shown;
@@ -134,9 +135,6 @@ struct PlayParts {
     void continueHere();
     /// Shows the wire falling that the hand has just cut, if it has.
     void showCut();
-    /// The rectangles, m, that a view of everything shows: of the objects as they are, of areas to place
-    /// parts in, and of goals.
-    [[nodiscard]] std::vector<render::Extent> extents() const;
     /// The handle that turns the selected part, if there is one at present.
     [[nodiscard]] std::optional<TurnHandle> handle();
 

@@ -24,7 +24,7 @@ std::vector<Rect> inPixels(std::span<Extent const> extents, Extent const& all, d
     return rects;
 }
 
-bool isFree(std::span<Rect const> rects, Point at, std::span<Rect const> obstacles) {
+bool isClear(std::span<Rect const> rects, Point at, std::span<Rect const> obstacles) {
     return std::none_of(rects.begin(), rects.end(), [&](Rect const& rect) {
         Rect const there{rect.low + at, rect.high + at};
         return std::any_of(obstacles.begin(), obstacles.end(),
@@ -34,12 +34,13 @@ bool isFree(std::span<Rect const> rects, Point at, std::span<Rect const> obstacl
 
 } // namespace
 
-std::optional<render::Camera> freeFit(render::Size viewport, std::span<Extent const> extents,
-                                      std::span<Rect const> obstacles, double margin, double least,
-                                      double most) {
+std::optional<render::Camera> freeFit(render::Size viewport, std::span<FitGroup const> groups, double margin,
+                                      double least, double most) {
     Extent all;
-    for (Extent const& extent : extents) {
-        all.add(extent);
+    for (FitGroup const& group : groups) {
+        for (Extent const& extent : group.extents) {
+            all.add(extent);
+        }
     }
     if (all.empty() || !(least > 0)) {
         return std::nullopt;
@@ -50,7 +51,18 @@ std::optional<render::Camera> freeFit(render::Size viewport, std::span<Extent co
     double const whole = std::min(width / std::max(size.x, 1e-3), height / std::max(size.y, 1e-3));
     Point const middle{0.5 * viewport.width, 0.5 * viewport.height};
     for (double scale = std::min(whole, most); scale >= least; scale /= scaleStep) {
-        std::vector<Rect> const rects = inPixels(extents, all, scale);
+        std::vector<std::vector<Rect>> rects;
+        for (FitGroup const& group : groups) {
+            rects.push_back(inPixels(group.extents, all, scale));
+        }
+        auto const isFree = [&](Point at) {
+            for (std::size_t i = 0; i < groups.size(); ++i) {
+                if (!isClear(rects[i], at, groups[i].obstacles)) {
+                    return false;
+                }
+            }
+            return true;
+        };
         double const spareX = width - size.x * scale;
         double const spareY = height - size.y * scale;
         std::optional<Point> best;
@@ -60,7 +72,7 @@ std::optional<render::Camera> freeFit(render::Size viewport, std::span<Extent co
                 Point const at{margin + spareX * i / placesAcross, margin + spareY * j / placesDown};
                 Point const centre = at + 0.5 * scale * size;
                 double const off = render::length(centre - middle);
-                if ((!best || off < nearest) && isFree(rects, at, obstacles)) {
+                if ((!best || off < nearest) && isFree(at)) {
                     best = at;
                     nearest = off;
                 }

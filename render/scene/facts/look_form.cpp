@@ -62,6 +62,11 @@ std::optional<Sign> signOf(Facts const& facts) {
     return std::nullopt;
 }
 
+std::optional<Sign> signUnderLabel(Facts const& facts, Sign sign) {
+    bool const labelled = facts.look != nullptr && !facts.look->label.empty();
+    return labelled && sign == Sign::flash ? std::nullopt : std::optional(sign);
+}
+
 bool isShown(DrawnWhen when, Facts const& facts) {
     bool const on = facts.coil != nullptr ? facts.magnetLevel() > 0 : facts.on;
     switch (when) {

@@ -19,6 +19,10 @@ namespace trembler::render {
 /// the object states another form, or calls itself the negative pole by its label.
 [[nodiscard]] std::optional<Sign> signOf(Facts const& facts);
 
+/// The sign that is drawn where the label of the object, if it has one, is written: nothing instead of a
+/// flash, which says less than the label and would be seen through it.
+[[nodiscard]] std::optional<Sign> signUnderLabel(Facts const& facts, Sign sign);
+
 /// Whether a shape of the object's drawing is drawn in its present state.
 [[nodiscard]] bool isShown(DrawnWhen when, Facts const& facts);
 

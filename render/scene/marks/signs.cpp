@@ -66,7 +66,8 @@ void drawSign(Canvas& canvas, Sign sign, Pose const& pose, double radius, Colour
     }
 }
 
-void drawBadge(Canvas& canvas, Sign sign, Pose const& pose, double radius, bool live, Style const& style) {
+void drawBadge(Canvas& canvas, std::optional<Sign> sign, Pose const& pose, double radius, bool live,
+               Style const& style) {
     Style disc = style;
     disc.pattern = Pattern::Plain;
     disc.tint = live ? mix(palette::live, palette::paperLight, 0.35F) : palette::paperLight;
@@ -77,7 +78,9 @@ void drawBadge(Canvas& canvas, Sign sign, Pose const& pose, double radius, bool 
         disc.glow = {palette::live, 0.6 * radius, 0.6F};
     }
     canvas.circle(pose, radius, disc);
-    drawSign(canvas, sign, pose, 0.82 * radius, palette::ink, style.ghost ? 0.6F : 1.F);
+    if (sign) {
+        drawSign(canvas, *sign, pose, 0.82 * radius, palette::ink, style.ghost ? 0.6F : 1.F);
+    }
 }
 
 } // namespace trembler::render

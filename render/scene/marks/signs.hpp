@@ -3,6 +3,8 @@
 
 #include "render/draw/canvas.hpp"
 
+#include <optional>
+
 namespace trembler::render {
 
 enum class Sign : std::uint8_t {
@@ -17,7 +19,9 @@ enum class Sign : std::uint8_t {
 /// The bare sign inside a circle of `radius` metres; `angle` in radians turns it.
 void drawSign(Canvas& canvas, Sign sign, Pose const& pose, double radius, Colour colour, float alpha = 1.F);
 
-/// The sign on a disc of paper with a dark edge; a live one is lit.
-void drawBadge(Canvas& canvas, Sign sign, Pose const& pose, double radius, bool live, Style const& style);
+/// The sign on a disc of paper with a dark edge; a live one is lit. Without a sign the disc is blank: the
+/// ground for a label.
+void drawBadge(Canvas& canvas, std::optional<Sign> sign, Pose const& pose, double radius, bool live,
+               Style const& style);
 
 } // namespace trembler::render

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 namespace trembler::render {
 namespace {
@@ -83,7 +84,7 @@ void drawBadges(Canvas& canvas, Facts const& facts, Pose const& pose, Style cons
     Point const middle = body ? extentOf(*facts.shape, {}).centre() : Point{};
     Point const half = body ? extentOf(*facts.shape, {}).half() : Point{symbolRadius, symbolRadius};
     double const radius = body ? std::min(0.7 * std::min(half.x, half.y), 0.2) : symbolRadius;
-    auto const badge = [&](Sign sign, Point offset) {
+    auto const badge = [&](std::optional<Sign> sign, Point offset) {
         Pose const at{toWorld(pose, middle + offset), body ? pose.angle : 0.0};
         drawBadge(canvas, sign, at, radius, facts.on, style);
     };
@@ -104,7 +105,7 @@ void drawBadges(Canvas& canvas, Facts const& facts, Pose const& pose, Style cons
         badge(Sign::earth, {});
         break;
     case LookForm::flash:
-        badge(Sign::flash, {});
+        badge(signUnderLabel(facts, Sign::flash), {});
         break;
     case LookForm::own:
     case LookForm::plain:

@@ -43,7 +43,7 @@ void drawVertex(Canvas& canvas, Facts const& facts, Point at) {
     Style const disc{.outline = 1.8F, .height = 0.F};
     double const large = canvas.metres(13);
     if (auto const sign = signOf(facts)) {
-        drawBadge(canvas, *sign, {at, 0}, large, facts.on, disc);
+        drawBadge(canvas, signUnderLabel(facts, *sign), {at, 0}, large, facts.on, disc);
     } else {
         Style dot = disc;
         dot.tint = facts.on ? palette::live : palette::paperLight;

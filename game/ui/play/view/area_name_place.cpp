@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <vector>
 
 namespace trembler::ui {
 namespace {
@@ -11,7 +12,10 @@ using render::Extent;
 using render::Point;
 
 /// A place on an object that holds the whole name is worse than a free one and better than an edge.
-constexpr double backgroundCost = 0.05;
+constexpr double backgroundCost = 0.15;
+/// Of each line of letters by which the name is farther from the area; a share of the name's own size.
+constexpr double lineCost = 0.03;
+constexpr int mostLines = 2;
 
 /// m^2 of the objects under the name.
 double areaNameCover(Extent const& name, std::span<Extent const> objects) {
@@ -32,26 +36,42 @@ double areaNameCover(Extent const& name, std::span<Extent const> objects) {
 } // namespace
 
 Point areaNamePlace(render::Camera const& camera, Extent const& area, Point size,
-                    std::span<Extent const> objects) {
+                    std::span<Extent const> objects, std::span<Placed const> cards) {
     Point const half = (0.5 / camera.pixelsPerMetre) * size;
     double const wide = std::max(area.half().x - half.x, 0.0);
-    std::array const rows{area.upper.y + half.y, area.upper.y - half.y, area.lower.y - half.y,
-                          area.lower.y + half.y};
-    constexpr std::array shares{0.0, -0.5, 0.5, -1.0, 1.0}; // of the way from the middle to a corner
-    Point best{area.centre().x, rows.front()};
+    // Last the middles that put the name at a corner of the area, partly beside it.
+    std::array const columns{0.0, -0.5 * wide, 0.5 * wide, -wide, wide, -area.half().x, area.half().x};
+    struct Row {
+        double y;
+        double cost;
+    };
+    std::vector<Row> rows{{area.upper.y + half.y, 0},
+                          {area.upper.y - half.y, 0},
+                          {area.lower.y - half.y, 0},
+                          {area.lower.y + half.y, 0}};
+    for (int line = 1; line <= mostLines; ++line) {
+        double const away = (2 * line + 1) * half.y;
+        rows.push_back({area.upper.y + away, line * lineCost});
+        rows.push_back({area.lower.y - away, line * lineCost});
+    }
+    double const whole = std::max(4 * half.x * half.y, 1e-12);
+    Point best{area.centre().x, rows.front().y};
     double least = std::numeric_limits<double>::infinity();
-    for (double const y : rows) {
-        for (double const share : shares) {
-            Point const at{area.centre().x + share * wide, y};
+    for (Row const& row : rows) {
+        for (double const column : columns) {
+            Point const at{area.centre().x + column, row.y};
             Point const pixel = camera.toScreen(at);
-            bool const seen = pixel.x >= 0.5 * size.x && pixel.y >= 0.5 * size.y &&
-                              pixel.x <= camera.viewport.width - 0.5 * size.x &&
-                              pixel.y <= camera.viewport.height - 0.5 * size.y;
+            Rect const shown{pixel - 0.5 * size, pixel + 0.5 * size};
+            bool const seen = shown.low.x >= 0 && shown.low.y >= 0 && shown.high.x <= camera.viewport.width &&
+                              shown.high.y <= camera.viewport.height &&
+                              std::none_of(cards.begin(), cards.end(),
+                                           [&](Placed const& card) { return card.rect.overlaps(shown); });
             Extent name;
             name.add(at - half);
             name.add(at + half);
-            if (double const cover = areaNameCover(name, objects); seen && cover < least) {
-                least = cover;
+            double const cost = areaNameCover(name, objects) / whole + row.cost;
+            if (seen && cost < least) {
+                least = cost;
                 best = at;
             }
         }

@@ -11,6 +11,7 @@ namespace trembler::ui {
 namespace {
 
 constexpr std::array standingCards{"goal", "toolbox", "transport", "tools", "corner"};
+constexpr std::size_t goalIndex = 0;
 constexpr std::size_t toolboxIndex = 1;
 /// Cards of one entry take each other's place.
 constexpr std::array<std::array<char const*, 2>, 2> openedCards{
@@ -33,6 +34,11 @@ bool same(std::optional<Rect> const& a, std::optional<Rect> const& b) {
     return a.has_value() == b.has_value() && (!a || (a->low == b->low && a->high == b->high));
 }
 
+bool samePlace(PlacedPart const& a, PlacedPart const& b) {
+    return a.number == b.number && a.placement.at == b.placement.at &&
+           a.placement.angle == b.placement.angle && a.placement.flipped == b.placement.flipped;
+}
+
 /// The player holds something that would move with the view.
 bool holdsSomething(PlayParts const& parts) {
     return parts.placing.carried() || parts.group.dragging() || parts.hand.busy() || parts.secondHand.busy();
@@ -50,11 +56,14 @@ void FittedView::follow(PlayParts& parts, bool cards) {
     if (timeline || (parts.run.building() && !holds)) {
         changed = lookAtStanding(parts) || timeline || changed;
     }
+    if (parts.run.building() && !holds) {
+        changed = lookAtPlaced(parts) || changed;
+    }
     // In a run the level counts as it was at its start: something may have rolled far away since.
     bool const building = parts.run.building();
     bool const turned = std::exchange(wasBuilding_, building) != building;
-    if (extents_.empty() || (changed && building) || turned) {
-        extents_ = parts.extents();
+    if (extents_.seen.empty() || (changed && building) || turned) {
+        extents_ = levelExtents(parts.session, parts.goals, parts.catalog());
     }
     changed = changed || (turned && building && !toolbox_);
     if (changed) { // and not where a run begins, so that this does not move the view
@@ -132,7 +141,30 @@ bool FittedView::setMargins(PlayParts& parts) const {
     return room;
 }
 
-FittedView::Cards FittedView::obstacles(bool withOpened) const {
+bool FittedView::lookAtPlaced(PlayParts& parts) {
+    std::vector<PlacedPart> const& placed = parts.session.placed();
+    if (std::equal(placed.begin(), placed.end(), placed_.begin(), placed_.end(), samePlace)) {
+        return false;
+    }
+    placed_ = placed;
+    LevelExtents const now = levelExtents(parts.session, parts.goals, parts.catalog());
+    auto const anyUnder = [&](std::vector<render::Extent> const& extents, Cards const& cards) {
+        return std::any_of(extents.begin(), extents.end(), [&](render::Extent const& extent) {
+            Rect const shown{parts.camera().toScreen({extent.lower.x, extent.upper.y}),
+                             parts.camera().toScreen({extent.upper.x, extent.lower.y})};
+            return std::any_of(cards.begin(), cards.end(),
+                               [&](Rect const& card) { return card.overlaps(shown); });
+        });
+    };
+    return anyUnder(now.seen, obstacles(false)) || anyUnder(now.around, onlyGoal());
+}
+
+FittedView::Cards FittedView::onlyGoal() const {
+    auto const& goal = standing_[goalIndex];
+    return goal ? Cards{*goal} : Cards{};
+}
+
+FittedView::Cards FittedView::obstacles(bool withOpened, bool withGoal) const {
     Cards all;
     render::Point const clear{cardClearance * scale_, cardClearance * scale_};
     auto const add = [&](std::optional<Rect> const& card) {
@@ -141,7 +173,8 @@ FittedView::Cards FittedView::obstacles(bool withOpened) const {
         }
     };
     for (std::size_t i = 0; i < standing_.size(); ++i) {
-        add(i == toolboxIndex && !toolbox_ ? std::nullopt : standing_[i]);
+        bool const counts = i == goalIndex ? withGoal : i != toolboxIndex || toolbox_;
+        add(counts ? standing_[i] : std::nullopt);
     }
     if (withOpened) {
         std::for_each(opened_.begin(), opened_.end(), add);
@@ -154,18 +187,23 @@ FittedView::Cards FittedView::obstacles(bool withOpened) const {
 }
 
 void FittedView::fit(PlayParts& parts, bool room) const {
-    auto const fitted = [&](Cards const& cards, double least) {
-        return freeFit(window_, extents_, cards, scale_ * static_cast<double>(cardGap), least,
+    auto const fitted = [&](bool withOpened, double least) {
+        Cards const cards = obstacles(withOpened);
+        Cards const whileHeld = obstacles(withOpened, false);
+        Cards const goal = onlyGoal();
+        std::array const groups{FitGroup{extents_.seen, cards}, FitGroup{extents_.around, goal},
+                                FitGroup{extents_.places, whileHeld}};
+        return freeFit(window_, groups, scale_ * static_cast<double>(cardGap), least,
                        render::Camera::largestScale);
     };
     double const least = parts.view.scaleBetweenMargins();
     if (room) {
-        parts.view.setPreferred(fitted(obstacles(true), least));
+        parts.view.setPreferred(fitted(true, least));
         return;
     }
-    auto const covered = fitted(obstacles(false), least);
+    auto const covered = fitted(false, least);
     double const whole = covered ? covered->pixelsPerMetre : least;
-    auto const beside = fitted(obstacles(true), worthwhile * whole);
+    auto const beside = fitted(true, worthwhile * whole);
     parts.view.setPreferred(beside ? beside : covered);
 }
 

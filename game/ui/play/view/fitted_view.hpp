@@ -1,8 +1,9 @@
 // The view of a level shows the whole of it beside the cards, until the player moves it by hand.
 #pragma once
 
+#include "game/ui/play/view/level_extents.hpp"
 #include "game/ui/shared/layout.hpp"
-#include "render/scene/facts/shape_geometry.hpp"
+#include "puzzle/session/placements.hpp"
 
 #include <array>
 #include <optional>
@@ -17,7 +18,8 @@ struct PlayParts;
 /// player opens and closes (components, mods, inspector, why) count while they are open, also in a run, over
 /// their whole column down to the buttons, so that the view moves once and not with each line in them. In a
 /// window without room for the level beside such a card, the card lies over it: see worthwhile in the source
-/// file. Window thread only.
+/// file. Places that are empty may lie under the goal card, which is hidden while a part is held; if a part
+/// is placed there, the view is fitted again. Window thread only.
 class FittedView {
 public:
     /// Once for each picture, before its cards are drawn. `cards`: the last picture had them.
@@ -33,7 +35,10 @@ private:
     /// Returns whether the level has room between the cards at the sides.
     bool setMargins(PlayParts& parts) const;
     void fit(PlayParts& parts, bool room) const;
-    [[nodiscard]] Cards obstacles(bool withOpened) const;
+    /// Returns whether the player has placed, moved or removed parts, so that one lies under a card now.
+    bool lookAtPlaced(PlayParts& parts);
+    [[nodiscard]] Cards onlyGoal() const;
+    [[nodiscard]] Cards obstacles(bool withOpened, bool withGoal = true) const;
 
     std::array<std::optional<Rect>, 5> standing_;
     std::array<std::optional<Rect>, 2> opened_; ///< at the left, at the right
@@ -41,7 +46,8 @@ private:
     render::Size window_;                       ///< of which the cards are
     double scale_ = 0;                          ///< of the interface
     float timeline_ = 0;                        ///< its height, pixels at UI scale 1
-    std::vector<render::Extent> extents_;       ///< of the objects that must be visible
+    LevelExtents extents_;
+    std::vector<PlacedPart> placed_;
     bool toolbox_ = true; ///< it counts: not beside a card that was opened in a run, which hides it
     bool wasBuilding_ = true;
 };

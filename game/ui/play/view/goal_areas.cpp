@@ -60,14 +60,14 @@ void GoalAreas::lookAt(World const& world) {
     objects_ = render::extentsOf(world);
 }
 
-void GoalAreas::drawWords(render::Camera const& camera) const {
+void GoalAreas::drawWords(render::Camera const& camera, std::span<Placed const> cards) const {
     for (std::size_t i = 0; i < regions_.size(); ++i) {
         if (names_[i].empty()) {
             continue;
         }
         std::string const& name = shownArea(names_[i]);
         render::Point const at = areaNamePlace(camera, render::extentOf(regions_[i].area),
-                                               render::chipSize(name.c_str()), objects_);
+                                               render::chipSize(name.c_str()), objects_, cards);
         render::worldLabel(camera, at, name.c_str(),
                            {.colour = regions_[i].met ? render::palette::goal : render::palette::inkSoft});
     }

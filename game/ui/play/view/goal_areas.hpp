@@ -1,6 +1,7 @@
 // The areas that a level's goals name, for drawing them into the world.
 #pragma once
 
+#include "game/ui/shared/layout.hpp"
 #include "puzzle/goals/goal_judge.hpp"
 #include "render/draw/camera.hpp"
 #include "render/scene/areas.hpp"
@@ -23,9 +24,9 @@ public:
     /// Remembers where the world's objects are: names are written beside them. To be called for each new
     /// world, and not in a run, in which a name would jump whenever something passes it.
     void lookAt(World const& world);
-    /// Writes the name of each area at one of its edges, where it covers the least of objects and lies in the
-    /// view; between Gui::beginFrame and Gui::endFrame.
-    void drawWords(render::Camera const& camera) const;
+    /// Writes the name of each area near one of its edges, where it covers the least of objects, lies in the
+    /// view and is under none of the cards; between Gui::beginFrame and Gui::endFrame.
+    void drawWords(render::Camera const& camera, std::span<Placed const> cards = {}) const;
 
 private:
     void gather(Condition const& condition, std::size_t goal);

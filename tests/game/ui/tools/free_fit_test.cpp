@@ -5,6 +5,8 @@
 #include <rapidcheck.h>
 #include <rapidcheck/gtest.h>
 
+#include <array>
+#include <optional>
 #include <vector>
 
 namespace trembler::ui {
@@ -33,19 +35,37 @@ bool isSeen(Camera const& camera, Extent const& extent, std::vector<Rect> const&
     return free;
 }
 
+std::optional<Camera> fitBeside(std::vector<Extent> const& machine, std::vector<Rect> const& cards,
+                                double least, double most) {
+    FitGroup const group{machine, cards};
+    return freeFit({1280, 720}, {&group, 1}, 16, least, most);
+}
+
 TEST(FreeFit, UsesTheRoomBesideCards) {
     // A flat machine below two cards in the upper corners.
     std::vector<Extent> const machine{extentAt({-4, 0}, {4, 1}), extentAt({0, 1}, {1, 2})};
     std::vector<Rect> const cards{{{0, 0}, {320, 320}}, {{1000, 0}, {1280, 320}}};
-    auto const camera = freeFit({1280, 720}, machine, cards, 16, 1, 1e6);
+    auto const camera = fitBeside(machine, cards, 1, 1e6);
     ASSERT_TRUE(camera);
     EXPECT_GT(camera->pixelsPerMetre, 140) << "between the cards' edges it would be 83";
     for (Extent const& extent : machine) {
         EXPECT_TRUE(isSeen(*camera, extent, cards, 16));
     }
-    EXPECT_FALSE(freeFit({1280, 720}, machine, cards, 16, 200, 1e6)) << "not that large";
-    EXPECT_FALSE(freeFit({1280, 720}, {}, cards, 16, 1, 1e6));
-    EXPECT_NEAR(freeFit({1280, 720}, machine, {}, 16, 1, 50)->pixelsPerMetre, 50, 1e-9);
+    EXPECT_FALSE(fitBeside(machine, cards, 200, 1e6)) << "not that large";
+    EXPECT_FALSE(fitBeside({}, cards, 1, 1e6));
+    EXPECT_NEAR(fitBeside(machine, {}, 1, 50)->pixelsPerMetre, 50, 1e-9);
+}
+
+TEST(FreeFit, EachGroupHasObstaclesOfItsOwn) {
+    std::vector<Extent> const machine{extentAt({-4, 0}, {4, 1})};
+    std::vector<Extent> const air{extentAt({-4, 1}, {4, 3})};
+    std::vector<Rect> const card{{{0, 0}, {320, 500}}};
+    std::array const groups{FitGroup{machine, card}, FitGroup{air, {}}};
+    auto const camera = freeFit({1280, 720}, groups, 16, 1, 1e6);
+    ASSERT_TRUE(camera);
+    EXPECT_TRUE(isSeen(*camera, machine[0], card, 16));
+    EXPECT_TRUE(isSeen(*camera, air[0], {}, 16)) << "inside the window";
+    EXPECT_FALSE(isSeen(*camera, air[0], card, 16)) << "it may lie under the card, and so be larger";
 }
 
 RC_GTEST_PROP(FreeFit, NothingIsHidden, ()) {
@@ -60,7 +80,7 @@ RC_GTEST_PROP(FreeFit, NothingIsHidden, ()) {
         Point const low{number(0, 900), number(0, 500)};
         cards.push_back({low, low + Point{number(10, 300), number(10, 300)}});
     }
-    auto const camera = freeFit({1280, 720}, machine, cards, 16, 5, 1e6);
+    auto const camera = fitBeside(machine, cards, 5, 1e6);
     if (camera) {
         for (Extent const& extent : machine) {
             RC_ASSERT(isSeen(*camera, extent, cards, 16));

@@ -54,6 +54,30 @@ TEST(Messages, LieBelowTheCardOfSuccess) {
     }
 }
 
+TEST(Messages, LieOnNoCard) {
+    for (render::Size const size : {render::Size{1280, 720}, render::Size{800, 600}}) {
+        Player player(size);
+        player.open(levelsFolder() / "5-everything/2-the-gate.json");
+        player.frames(10);
+        std::string const message = "A message that is of some length, which says where something was kept.";
+        player.app().context().toasts.add(message);
+        player.app().context().toasts.add(message + " Once more.");
+        player.frames(30);
+        int seen = 0;
+        for (DrawnText const& text : drawnTexts()) {
+            if (text.text.starts_with("A message")) {
+                ++seen;
+                for (Placed const& card : player.layout().cards()) {
+                    EXPECT_FALSE(card.rect.overlaps(text.rect)) << card.name << " at " << size.width;
+                }
+                EXPECT_LE(text.rect.high.y, 0.6 * size.height) << size.width;
+            }
+        }
+        EXPECT_GE(seen, 2) << size.width;
+        player.look("messages-beside-cards-" + std::to_string(size.width));
+    }
+}
+
 } // namespace
 } // namespace messages_test
 } // namespace trembler::ui::test

@@ -38,5 +38,30 @@ TEST(Device, StatedAsABulbIsDrawnAsOneForAnyMaterial) {
     EXPECT_TRUE(pictureOf(plastic) == pictureOf(glass));
 }
 
+// The flash was seen through the letter.
+TEST(Device, WithALabelHasABlankDiscUnderIt) {
+    Shape const wheel{{circlePiece(0.4)}};
+    Facts device;
+    device.shape = &wheel;
+    device.substance = Substance::copper;
+    device.device = true;
+    device.conductor = true;
+    Look const letter{.label = "M"};
+    Facts named = device;
+    named.look = &letter; // the label itself is drawn later, with all words
+    auto const middleIsPlain = [](Image const& image) {
+        for (int y = 74; y <= 86; ++y) { // a part of the disc
+            for (int x = 114; x <= 126; ++x) {
+                if (image.at(x, y) != image.at(120, 80)) {
+                    return false;
+                }
+            }
+        }
+        return true;
+    };
+    EXPECT_FALSE(middleIsPlain(pictureOf(device))) << "the flash";
+    EXPECT_TRUE(middleIsPlain(pictureOf(named)));
+}
+
 } // namespace
 } // namespace trembler::render::test

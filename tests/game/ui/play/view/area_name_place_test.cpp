@@ -67,6 +67,34 @@ TEST(AreaNamePlace, CoversNoBoxOfTheRaft) {
     }
 }
 
+TEST(AreaNamePlace, IsUnderNoCard) {
+    render::Camera camera;
+    camera.viewport = {800, 600};
+    camera.pixelsPerMetre = 100;
+    Placed const card{"card", {{300, 200}, {500, 280}}};
+    Point const at = areaNamePlace(camera, around({-1, -0.5}, {1, 0.5}), {40, 20}, {}, {&card, 1});
+    Point const pixel = camera.toScreen(at);
+    EXPECT_FALSE(card.rect.overlaps({pixel - Point{20, 10}, pixel + Point{20, 10}}));
+}
+
+// A post stands on the area, which is narrower than its name; in larger windows the letters cover less.
+TEST(AreaNamePlace, IsBesideAPostThatStandsOnTheArea) {
+    for (render::Size const size : {render::Size{800, 600}, {1280, 720}, {2560, 1440}}) {
+        Player player(size);
+        player.open(levelsFolder() / "5-everything/3-the-quiet-gate.json");
+        player.frames(10);
+        render::Camera const& camera = player.play().camera();
+        Point const words{76, 18}; // about that of "the road bed"
+        Point const half = (0.5 / camera.pixelsPerMetre) * words;
+        std::vector<Extent> const mast{around({1.5, 0}, {1.6, 2.6})};
+        Extent const area = around({1.3, -0.3}, {1.9, 0.2});
+        std::vector<Extent> const objects = render::extentsOf(player.session().world());
+        EXPECT_TRUE(coversAny({1.6, area.upper.y + half.y}, half, mast)) << "above the middle, where it was";
+        EXPECT_FALSE(coversAny(areaNamePlace(camera, area, words, objects), half, mast)) << size.width;
+        player.look("road-bed-" + std::to_string(size.width));
+    }
+}
+
 } // namespace
 } // namespace area_name_place_test
 } // namespace trembler::ui::test

@@ -185,6 +185,31 @@ TEST(FittedView, IsCoveredWhereThereIsNoRoomBeside) {
     EXPECT_GE(player.play().camera().pixelsPerMetre, 0.5 * before.pixelsPerMetre);
 }
 
+// Boxes of 0.2 m were 7 pixels wide, as the view had to show all empty places beside the goal card.
+TEST(FittedView, LetsEmptyPlacesLieUnderTheGoalCardWhichIsHiddenWhileAPartIsHeld) {
+    Player player({800, 600});
+    player.open(levelsFolder() / "experiments/4-raft.json");
+    player.frames(10);
+    EXPECT_GT(player.play().camera().pixelsPerMetre, 45);
+    Rect const goal = *player.layout().card("goal");
+    expectUncovered(player, "goal");
+    Vec2 const place{-3, 2.1};
+    ASSERT_TRUE(goal.contains(player.at(place))) << "a place where a part may lie";
+    player.moveTo(player.item("part cargo box"));
+    player.press();
+    player.moveTo(player.at(place));
+    player.frames(2);
+    EXPECT_FALSE(player.showsCard("goal"));
+    player.look("held-over-goal");
+    player.release();
+    player.frames(10);
+    ASSERT_EQ(player.session().placed().size(), 1U);
+    EXPECT_NEAR(player.session().placed()[0].placement.at.y, place.y, 0.1);
+    EXPECT_TRUE(player.showsCard("goal"));
+    expectUncovered(player, "goal");
+    player.look("placed-over-goal");
+}
+
 } // namespace
 } // namespace fitted_view_test
 } // namespace trembler::ui::test
