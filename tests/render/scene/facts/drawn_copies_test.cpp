@@ -6,7 +6,6 @@
 
 #include <gtest/gtest.h>
 
-#include <numbers>
 #include <vector>
 
 namespace trembler::render::test {
