@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <utility>
 
@@ -18,6 +19,7 @@ constexpr int changesTried = 12;
 constexpr std::size_t mostCombined = 4; // parts
 constexpr double combinedByChance = 0.5;
 constexpr double addedByChance = 0.2;
+constexpr double addedWhereLacking = 0.5;
 constexpr std::array<double, 7> moveScales{0.01, 0.02, 0.05, 0.1, 0.2, 0.4, 0.8}; // m
 constexpr std::array<double, 6> turnScales{2, 5, 15, 45, 90, 180};                // degrees
 
@@ -26,6 +28,22 @@ Parent const& oneOf(std::span<Parent const> parents, CounterRandom& random) {
     std::size_t const a = random.below(parents.size());
     std::size_t const b = random.below(parents.size());
     return parents[std::min(a, b)];
+}
+
+/// Across one of the gaps, or on one of the ways that were left.
+Place placeIn(std::vector<Lacking> const& lacking, CounterRandom& random) {
+    constexpr std::array<Place::Side, 4> sides{Place::Side::above, Place::Side::above, Place::Side::middle,
+                                               Place::Side::below};
+    Lacking const& one = lacking[random.below(lacking.size())];
+    Vec2 const way = one.to - one.from;
+    Place place;
+    place.kind = one.isGap ? Place::Kind::gap : Place::Kind::goal;
+    place.side = sides[random.below(sides.size())];
+    place.at = one.from + (one.isGap ? 0.5 : random.unit()) * way;
+    if (place.side == Place::Side::middle && length(way) > 0) {
+        place.angle = std::atan2(way.y, way.x);
+    }
+    return place;
 }
 
 std::vector<std::string> partsLeft(LevelUnderTest const& level, Solution const& solution) {
@@ -89,9 +107,9 @@ Attempt Mutator::changed(std::span<Parent const> parents, Tried const& tried, Co
     for (int n = 0; n < changesTried; ++n) {
         Parent const& parent = oneOf(parents, random);
         Solution made = parent.solution;
-        changeOnce(made, parents, random);
+        changeOnce(made, parent, parents, random);
         while (random.chance(0.3)) {
-            changeOnce(made, parents, random);
+            changeOnce(made, parent, parents, random);
         }
         if (!tried.contains(identityOf(made)) && !whyNotPlaced(level_, made)) {
             return {std::move(made), parent.run};
@@ -100,7 +118,8 @@ Attempt Mutator::changed(std::span<Parent const> parents, Tried const& tried, Co
     return {combined(random), 0};
 }
 
-void Mutator::changeOnce(Solution& solution, std::span<Parent const> parents, CounterRandom& random) const {
+void Mutator::changeOnce(Solution& solution, Parent const& parent, std::span<Parent const> parents,
+                         CounterRandom& random) const {
     double const which = random.unit();
     if (which < 0.12 && hands_) {
         if (random.chance(0.3) || !addRandomDeed(level_, things_, places_, solution, random)) {
@@ -114,7 +133,7 @@ void Mutator::changeOnce(Solution& solution, std::span<Parent const> parents, Co
             addRandomWire(level_, solution, random);
         }
     } else if (which < 0.45 || solution.placements.empty()) {
-        addPart(solution, random);
+        addPart(solution, parent, random);
     } else if (which < 0.7) {
         movePart(solution, random);
     } else if (which < 0.78) {
@@ -151,13 +170,19 @@ void Mutator::turnPart(Solution& solution, CounterRandom& random) {
     placement.angle += (random.chance(0.5) ? degrees : -degrees) * pi / 180;
 }
 
-void Mutator::addPart(Solution& solution, CounterRandom& random) const {
+void Mutator::addPart(Solution& solution, Parent const& parent, CounterRandom& random) const {
     std::vector<std::string> const left = partsLeft(level_, solution);
     if (left.empty() || solution.placements.size() >= mostPlacedParts) {
         return;
     }
     std::string const& part = left[random.below(left.size())];
-    auto const placement = placedSomewhere(solution, part, addedByChance, random);
+    std::optional<Placement> placement;
+    if (!parent.lacking.empty() && random.chance(addedWhereLacking)) {
+        double const turn = random.chance(0.7) ? 0 : static_cast<double>(random.below(12)) * pi / 12;
+        placement = placedAt(level_, placeIn(parent.lacking, random), part, turn);
+    } else {
+        placement = placedSomewhere(solution, part, addedByChance, random);
+    }
     if (placement) {
         solution.placements.push_back(*placement);
     }

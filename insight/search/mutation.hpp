@@ -4,6 +4,7 @@
 #include "insight/search/deeds.hpp"
 #include "insight/search/places.hpp"
 #include "insight/search/thing.hpp"
+#include "insight/trial/trial.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -19,6 +20,7 @@ struct Parent {
     Solution solution;
     double miss = 1;
     std::uint64_t run = 0; ///< in which it was tried
+    std::vector<Lacking> lacking{};
 };
 
 /// The attempts that were tried, by identityOf().
@@ -42,17 +44,19 @@ public:
     /// tests the places of all of them, and what a solution does not need is left out of it later.
     [[nodiscard]] Solution combined(CounterRandom& random) const;
     /// One of the parents, the nearer the more often, changed once or more: a part is moved, turned,
-    /// mirrored, added, exchanged for another one, taken from another parent or left out; a wire or a deed is
+    /// mirrored, added (also where the parent's nearest miss lacked something: across a gap, on the way that
+    /// was left), exchanged for another one, taken from another parent or left out; a wire or a deed is
     /// added or left out. Its parts fit where they are, and it has not been tried; if none of 12 changes led
     /// to such an attempt, it is a combined one. `parents` must not be empty, and begin with the nearest.
     [[nodiscard]] Attempt changed(std::span<Parent const> parents, Tried const& tried,
                                   CounterRandom& random) const;
 
 private:
-    void changeOnce(Solution& solution, std::span<Parent const> parents, CounterRandom& random) const;
+    void changeOnce(Solution& solution, Parent const& parent, std::span<Parent const> parents,
+                    CounterRandom& random) const;
     void movePart(Solution& solution, CounterRandom& random) const;
     static void turnPart(Solution& solution, CounterRandom& random);
-    void addPart(Solution& solution, CounterRandom& random) const;
+    void addPart(Solution& solution, Parent const& parent, CounterRandom& random) const;
     void exchangePart(Solution& solution, CounterRandom& random) const;
     void takeOver(Solution& solution, Parent const& other, CounterRandom& random) const;
     /// A place of interest, of each kind as often.

@@ -142,7 +142,7 @@ private:
                 result_.firstSolved = result_.firstSolved.value_or(result_.runs);
                 solving.emplace_back(result_.runs, solution);
             } else if (result.fits) {
-                parents_.push_back({solution, result.miss, result_.runs});
+                parents_.push_back({solution, result.miss, result_.runs, result.lacking});
                 if (result.miss < result_.nearest) {
                     result_.nearest = result.miss;
                     result_.nearestMiss = solution;
