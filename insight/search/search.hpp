@@ -45,12 +45,13 @@ struct SearchResult {
     std::size_t places = 0; ///< of interest
 };
 
-/// First single parts in the level's places of interest, at most a third of the runs; then, in generations of
-/// 64, changes of the nearest misses, and a quarter at random, by the measure of MissMeter. An attempt with
-/// the parts of a solution that is known already counts as farther off, so that other kinds are looked for.
-/// Every found solution is reduced to what it needs, and one of each kind is kept, see differ(). The result
-/// depends on the level, the options and the program only. If the workers are stopped, it holds the solutions
-/// found so far.
+/// In generations of 16 to 64 runs: 0.3 of them place parts at random, 0.35 combine up to four parts in
+/// places of interest and at random, the others change the nearest misses by the measure of MissMeter;
+/// changes where a miss lacked something are frequent, no attempt is tried twice, and a miss counts as
+/// farther off with each change that came no nearer. So does an attempt with the parts of a solution that is
+/// known already, so that other kinds are looked for. Every found solution is reduced to what it needs, and
+/// one of each kind is kept, see differ(). The result depends on the level, the options and the program only.
+/// If the workers are stopped, it holds the solutions found so far.
 [[nodiscard]] SearchResult searchFor(LevelUnderTest const& level, SearchOptions const& options,
                                      Workers& workers);
 

@@ -75,6 +75,22 @@ private:
     std::optional<std::uint64_t> rest_;
 };
 
+/// Adds what a miss lacks, and what stood in the way besides.
+void addLacking(Miss const& miss, std::vector<Lacking>& to) {
+    constexpr std::size_t most = 8;
+    if (miss.lack == Lack::distance && to.size() < most) {
+        to.push_back({miss.from, miss.to, false});
+    }
+    for (CircuitGap const& gap : miss.gaps) {
+        if (gap.reason == GapReason::apart && to.size() < most) {
+            to.push_back({gap.from, gap.to, true});
+        }
+    }
+    for (Miss const& other : miss.besides) {
+        addLacking(other, to);
+    }
+}
+
 } // namespace
 
 TrialResult tryOut(LevelUnderTest const& level, Solution const& solution, TrialOptions const& options) {
@@ -113,6 +129,9 @@ TrialResult tryOut(LevelUnderTest const& level, Solution const& solution, TrialO
         result.miss = 0;
     } else if (meter) {
         result.miss = meter->result().measure;
+        for (GoalMiss const& goal : meter->result().goals) {
+            addLacking(goal.nearest, result.lacking);
+        }
     }
     return result;
 }
@@ -127,7 +146,11 @@ std::optional<std::string> whyNotPlaced(LevelUnderTest const& level, Solution co
 }
 
 std::string toText(TrialResult const& result) {
-    return nlohmann::json{result.fits, result.solved, result.frame, result.miss}.dump();
+    nlohmann::json lacking = nlohmann::json::array();
+    for (Lacking const& one : result.lacking) {
+        lacking.push_back({one.from.x, one.from.y, one.to.x, one.to.y, one.isGap});
+    }
+    return nlohmann::json{result.fits, result.solved, result.frame, result.miss, lacking}.dump();
 }
 
 TrialResult trialFrom(std::string const& text) {
@@ -137,6 +160,11 @@ TrialResult trialFrom(std::string const& text) {
     result.solved = all.at(1).get<bool>();
     result.frame = all.at(2).get<std::uint64_t>();
     result.miss = all.at(3).get<double>();
+    for (nlohmann::json const& one : all.at(4)) {
+        result.lacking.push_back({{one.at(0).get<double>(), one.at(1).get<double>()},
+                                  {one.at(2).get<double>(), one.at(3).get<double>()},
+                                  one.at(4).get<bool>()});
+    }
     return result;
 }
 

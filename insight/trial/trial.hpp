@@ -7,6 +7,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <vector>
 
 namespace trembler::insight {
 
@@ -19,6 +20,16 @@ struct TrialOptions {
     bool measureMiss = false; ///< whether to measure how nearly it was solved, which takes some time
 };
 
+/// Two places between which something was missing at the nearest miss of a goal: the ends of a gap in a
+/// circuit, or the place of an object and the one where it should have been; m, in the world.
+struct Lacking {
+    Vec2 from;
+    Vec2 to;
+    bool isGap = false;
+
+    friend bool operator==(Lacking const&, Lacking const&) = default;
+};
+
 struct TrialResult {
     bool fits = true; ///< false: a player could not place the parts so; nothing was run
     bool solved = false;
@@ -26,6 +37,8 @@ struct TrialResult {
     /// How far the run was from meeting the goals, 0 to 1, at its nearest; 0 if it was solved. 1 unless it
     /// was measured.
     double miss = 1;
+    /// Of the goals that were not met, if it was measured; at most 8.
+    std::vector<Lacking> lacking{};
 
     friend bool operator==(TrialResult const&, TrialResult const&) = default;
 };

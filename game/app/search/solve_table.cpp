@@ -11,10 +11,6 @@ std::string firstOf(insight::SearchResult const& result) {
     return result.firstSolved ? fmt::format("{}", *result.firstSolved) : "–";
 }
 
-std::string speedOf(SearchedLevel const& level) {
-    return level.runsPerSecond() ? fmt::format("{:.0f}", *level.runsPerSecond()) : "–";
-}
-
 /// A name inside a table.
 std::string cell(std::string const& name) {
     std::string text;
@@ -64,7 +60,7 @@ std::string solveTable(std::vector<SearchedLevel> const& levels) {
         text += " at random: solved | first run |";
         line += "---|---|";
     }
-    text += " runs per second |\n" + line + "---|\n";
+    text += "\n" + line + "\n";
     for (SearchedLevel const& level : levels) {
         text += fmt::format("| {}{} | {} | {} | {} | {} |", cell(level.name),
                             level.complete ? "" : " (stopped)", level.search.runs, level.search.solved,
@@ -74,7 +70,7 @@ std::string solveTable(std::vector<SearchedLevel> const& levels) {
         } else if (compares) {
             text += " – | – |";
         }
-        text += fmt::format(" {} |\n", speedOf(level));
+        text += "\n";
     }
     return text + "\n" + solveSummary(levels) + "\n";
 }

@@ -1,6 +1,7 @@
 #include "insight/trial/solution_text.hpp"
 #include "insight/trial/trial.hpp"
 #include "puzzle/run/runner.hpp"
+#include "runtime/placement.hpp"
 #include "tests/insight/support/tested_level.hpp"
 
 #include <gtest/gtest.h>
@@ -45,6 +46,20 @@ TEST(Trial, RunsOnlyWhatAPlayerCouldPlace) {
     EXPECT_FALSE(tryOut(firstContact(), overlapping, {}).fits);
     EXPECT_TRUE(whyNotPlaced(firstContact(), overlapping).has_value());
     EXPECT_TRUE(tryOut(firstContact(), placing("steel bar", {-1.8, 1.15}), {}).solved);
+}
+
+// The level's only gap, between its contacts; nothing is lacking where it was not measured.
+TEST(Trial, TellsWhereSomethingWasLacking) {
+    Solution const wood = placing("wooden bar", {-1.8, 1.15});
+    TrialResult const trial = tryOut(firstContact(), wood, {.measureMiss = true});
+    ASSERT_FALSE(trial.lacking.empty());
+    Lacking const& gap = trial.lacking.front();
+    EXPECT_TRUE(gap.isGap);
+    Vec2 const left =
+        firstContact().world().find<Position>(firstContact().world().store().find("left contact"))->value;
+    EXPECT_LT(std::min(length(gap.from - left), length(gap.to - left)), 0.3) << "on the contact";
+    EXPECT_EQ(trialFrom(toText(trial)), trial);
+    EXPECT_TRUE(tryOut(firstContact(), wood, {}).lacking.empty());
 }
 
 TEST(Trial, IsTheSameInEveryThread) {
