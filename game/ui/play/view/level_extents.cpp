@@ -8,8 +8,8 @@
 namespace trembler::ui {
 
 LevelExtents levelExtents(Session const& session, GoalAreas const& goals, PartCatalog& catalog) {
-    constexpr double gap = 0.06;    // m, around each
-    constexpr double handle = 0.45; // m, from a part's edge to beyond its handle, if the level is small
+    constexpr double gap = 0.06;   // m, around each
+    constexpr double handle = 0.7; // m, from a part's edge to beyond its handle, if the level is small
     render::Extent const focus = render::sceneFocus(session.world());
     LevelExtents all;
     for (render::Extent const& own : render::extentsOf(session.world())) {

@@ -84,7 +84,7 @@ TEST(AreaNamePlace, IsBesideAPostThatStandsOnTheArea) {
         player.open(levelsFolder() / "5-everything/3-the-quiet-gate.json");
         player.frames(10);
         render::Camera const& camera = player.play().camera();
-        Point const words{76, 18}; // about that of "the road bed"
+        Point const words = static_cast<double>(window().uiScale()) * Point{76, 18}; // about "the road bed"
         Point const half = (0.5 / camera.pixelsPerMetre) * words;
         std::vector<Extent> const mast{around({1.5, 0}, {1.6, 2.6})};
         Extent const area = around({1.3, -0.3}, {1.9, 0.2});
