@@ -5,7 +5,7 @@
 #include "insight/miss/moved_ways.hpp"
 #include "insight/miss/negated_miss.hpp"
 #include "insight/miss/obstacles.hpp"
-#include "physics/dynamics/properties/shapes/overlap.hpp"
+#include "physics/dynamics/properties/shapes/placed_shape.hpp"
 #include "puzzle/goals/conditions/count.hpp"
 #include "puzzle/goals/conditions/moved.hpp"
 #include "puzzle/goals/conditions/sequence.hpp"
@@ -67,19 +67,10 @@ Miss missOfInside(ConditionMiss const& one, World const& world, CircuitSight& ci
 
 Miss missOfTouching(ConditionMiss const& one, World const& world, CircuitSight& circuits) {
     Miss best = otherWayRound(one.state());
-    auto const placed = [&](ObjectId id) -> std::optional<PlacedShape> {
-        Shape const* const shape = world.find<Shape>(id);
-        Position const* const position = world.find<Position>(id);
-        if (shape == nullptr || position == nullptr || shape->pieces.empty()) {
-            return std::nullopt;
-        }
-        Rotation const* const rotation = world.find<Rotation>(id);
-        return PlacedShape{*shape, position->value, rotation == nullptr ? 0 : rotation->angle};
-    };
     for (ObjectId const a : one.state().subjects()) {
-        auto const shapeA = placed(a);
+        auto const shapeA = placedShapeOf(world.store(), a);
         for (ObjectId const b : one.state().objects()) {
-            auto const shapeB = placed(b);
+            auto const shapeB = placedShapeOf(world.store(), b);
             if (!shapeA || !shapeB || a == b) {
                 continue;
             }

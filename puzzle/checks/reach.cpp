@@ -1,13 +1,11 @@
 // Complains about objects and areas that no player can reach or see: see level_checks.hpp.
 #include "physics/buoyancy/properties/liquid.hpp"
-#include "physics/dynamics/properties/shape.hpp"
-#include "physics/dynamics/properties/shapes/overlap.hpp"
+#include "physics/dynamics/properties/shapes/placed_shape.hpp"
 #include "puzzle/checks/level_checks.hpp"
 #include "puzzle/goals/read_goals.hpp"
 #include "puzzle/session/fit.hpp"
 #include "puzzle/session/zone.hpp"
 #include "runtime/level/json/add_problem.hpp"
-#include "runtime/placement.hpp"
 #include "runtime/world/world.hpp"
 
 #include <fmt/format.h>
@@ -54,14 +52,11 @@ public:
         Reach const bounds = reachOf(*level_.bounds);
         for (LevelObject const& object : level_.objects) {
             ObjectId const id = world_.store().find(object.name);
-            Position const* const position = id.valid() ? world_.find<Position>(id) : nullptr;
-            Shape const* const shape = id.valid() ? world_.find<Shape>(id) : nullptr;
-            if (position == nullptr || shape == nullptr || world_.find<Liquid>(id) != nullptr) {
+            auto const placed = placedShapeOf(world_.store(), id);
+            if (!placed || world_.find<Liquid>(id) != nullptr) {
                 continue;
             }
-            Rotation const* const rotation = world_.find<Rotation>(id);
-            auto const [low, high] =
-                extentOf(PlacedShape{*shape, position->value, rotation == nullptr ? 0 : rotation->angle});
+            auto const [low, high] = extentOf(*placed);
             if (!bounds.meets({low, high})) {
                 complain(object.path.empty() ? "" : object.path + "/at",
                          fmt::format("'{}' lies outside the bounds of the level", object.name),

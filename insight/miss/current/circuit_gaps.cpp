@@ -4,12 +4,13 @@
 #include "insight/miss/current/switched_links.hpp"
 #include "insight/miss/current/two_paths.hpp"
 #include "physics/dynamics/properties/body.hpp"
-#include "physics/dynamics/properties/shapes/overlap.hpp"
+#include "physics/dynamics/properties/shapes/placed_shape.hpp"
 #include "physics/electricity/properties/electrical.hpp"
 #include "physics/electricity/properties/graph.hpp"
 #include "physics/electricity/properties/scene_level.hpp"
 #include "physics/magnetism/properties.hpp"
 #include "runtime/placement.hpp"
+#include "runtime/world/entry.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,12 +18,6 @@
 
 namespace trembler::insight {
 namespace {
-
-template <class P>
-P const* entryOf(Store const& store, ObjectId id) {
-    auto const* const column = store.findColumn<P>();
-    return column == nullptr ? nullptr : column->find(id);
-}
 
 template <class P>
 std::uint64_t versionOf(Store const& store) {
@@ -38,15 +33,12 @@ struct PlacedConductor {
 };
 
 std::optional<PlacedConductor> placedConductorOf(Store const& store, ObjectId id) {
-    Shape const* const shape = entryOf<Shape>(store, id);
-    Position const* const position = entryOf<Position>(store, id);
-    if (shape == nullptr || position == nullptr || shape->pieces.empty()) {
+    std::optional<PlacedShape> const placed = placedShapeOf(store, id);
+    if (!placed) {
         return std::nullopt;
     }
-    Rotation const* const rotation = entryOf<Rotation>(store, id);
-    PlacedShape const placed{*shape, position->value, rotation == nullptr ? 0 : rotation->angle};
-    auto const [lower, upper] = extentOf(placed);
-    return PlacedConductor{placed, lower, upper};
+    auto const [lower, upper] = extentOf(*placed);
+    return PlacedConductor{*placed, lower, upper};
 }
 
 /// No more than the distance of the two.

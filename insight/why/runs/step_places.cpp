@@ -1,30 +1,15 @@
 #include "insight/why/runs/step_places.hpp"
 
 #include "insight/why/story/story.hpp"
-#include "physics/dynamics/properties/shapes/overlap.hpp"
+#include "physics/dynamics/properties/shapes/placed_shape.hpp"
 #include "runtime/placement.hpp"
 #include "runtime/trace/tracer.hpp"
+#include "runtime/world/entry.hpp"
 
 #include <optional>
 
 namespace trembler::insight {
 namespace {
-
-template <class P>
-P const* propertyOf(Store const& store, ObjectId object) {
-    auto const* const column = store.findColumn<P>();
-    return column == nullptr || !object.valid() ? nullptr : column->find(object);
-}
-
-std::optional<PlacedShape> placedShapeOf(Store const& store, ObjectId object) {
-    Shape const* const shape = propertyOf<Shape>(store, object);
-    Position const* const position = propertyOf<Position>(store, object);
-    if (shape == nullptr || position == nullptr || shape->pieces.empty()) {
-        return std::nullopt;
-    }
-    Rotation const* const rotation = propertyOf<Rotation>(store, object);
-    return PlacedShape{*shape, position->value, rotation == nullptr ? 0 : rotation->angle};
-}
 
 std::optional<Vec2> placeOf(Store const& store, Event const& event, StepKind kind) {
     if (event.objects.empty()) {
@@ -39,7 +24,7 @@ std::optional<Vec2> placeOf(Store const& store, Event const& event, StepKind kin
             return 0.5 * (gap.a + gap.b);
         }
     }
-    Position const* const position = propertyOf<Position>(store, first);
+    Position const* const position = entryOf<Position>(store, first);
     return position == nullptr ? std::nullopt : std::optional(position->value);
 }
 
