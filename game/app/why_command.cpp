@@ -147,11 +147,7 @@ int answerWhy(WhyArguments const& arguments) {
         for (std::string const& sentence : sentencesOf(answer, goal, language)) {
             outputs.words() << visible(sentence) << "\n";
         }
-        outputs.words() << fmt::format("({} in {} run{})\n",
-                                       !answer.happened   ? "measured"
-                                       : answer.confirmed ? "confirmed"
-                                                          : "traced, not confirmed in all steps",
-                                       answer.runs, answer.runs == 1 ? "" : "s");
+        outputs.words() << "(" << sourceOf(answer, language) << ")\n";
     }
     return answer.happened ? exitSolved : exitNotSolved;
 }

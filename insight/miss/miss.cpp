@@ -9,7 +9,7 @@ struct LackText {
     std::string_view name;
     std::string_view unit;
 };
-constexpr std::array<LackText, 16> lackTexts{{{"nothing", ""},
+constexpr std::array<LackText, 17> lackTexts{{{"nothing", ""},
                                               {"distance", "m"},
                                               {"gap", "m"},
                                               {"source", ""},
@@ -23,6 +23,7 @@ constexpr std::array<LackText, 16> lackTexts{{{"nothing", ""},
                                               {"ways", ""},
                                               {"touches", ""},
                                               {"held", ""},
+                                              {"blocked", ""},
                                               {"absent", ""},
                                               {"change", ""}}};
 

@@ -28,6 +28,7 @@ enum class Lack : std::uint8_t {
     ways,     ///< of a current: connections that would have to be opened at least
     touches,  ///< pairs of objects that touch and should not
     held,     ///< 1: a magnet holds an object back from where it should be
+    blocked,  ///< 1: an object stands in the way of another one
     absent,   ///< 1: there is no object that another one should touch
     change,   ///< 1: the state is the opposite one, and there is no measure of how near it is
 };
@@ -35,6 +36,13 @@ enum class Lack : std::uint8_t {
 [[nodiscard]] std::string_view nameOf(Lack lack);
 /// "m", "N" ...; "" for counts.
 [[nodiscard]] std::string_view unitOf(Lack lack);
+
+/// What a run with the gaps of a circuit closed, by wires, showed about the goal.
+enum class IfClosed : std::uint8_t {
+    unknown, ///< there was no such run, or it came no nearer
+    nearer,  ///< it came nearer to the goal
+    met,     ///< it met the goal
+};
 
 /// A connection through which a current flows that should not; by the names of its ends.
 struct CurrentWay {
@@ -55,13 +63,14 @@ struct Miss {
     std::vector<ObjectId> objects; ///< that it is about: first the one that acts or moves
     /// Their names, as the objects may no longer exist when this is read; see nameObjects().
     std::vector<std::string> names;
-    Vec2 from;                    ///< m, in the world: distance, from here ...
-    Vec2 to;                      ///< ... to here
-    std::vector<CircuitGap> gaps; ///< of a circuit
-    std::vector<CurrentWay> ways; ///< of Lack::ways: the connections
-    bool tooMany = false;         ///< of Lack::count: too many, else too few
-    std::vector<Miss> besides;    ///< other obstacles, such as a magnet that was off; see Aftermath
-    std::size_t child = noChild;  ///< of several conditions, the one that this is about
+    Vec2 from;                             ///< m, in the world: distance, from here ...
+    Vec2 to;                               ///< ... to here
+    std::vector<CircuitGap> gaps;          ///< of a circuit
+    IfClosed ifClosed = IfClosed::unknown; ///< of these gaps; see addConfirmedObstacles()
+    std::vector<CurrentWay> ways;          ///< of Lack::ways: the connections
+    bool tooMany = false;                  ///< of Lack::count: too many, else too few
+    std::vector<Miss> besides;             ///< other obstacles, such as a magnet that was off; see Aftermath
+    std::size_t child = noChild;           ///< of several conditions, the one that this is about
     static constexpr std::size_t noChild = static_cast<std::size_t>(-1);
 };
 

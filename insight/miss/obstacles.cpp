@@ -1,5 +1,6 @@
 #include "insight/miss/obstacles.hpp"
 
+#include "insight/miss/idle_devices.hpp"
 #include "physics/dynamics/properties/joint.hpp"
 #include "physics/electricity/properties/electrical.hpp"
 #include "physics/gravity/properties.hpp"
@@ -12,9 +13,6 @@
 
 namespace trembler::insight {
 namespace {
-
-/// m, between the middles of a coil and of the object that it moves.
-constexpr double coilReach = 1;
 
 bool isMagnet(World const& world, ObjectId id) {
     MagneticStrength const* const strength = world.find<MagneticStrength>(id);
@@ -88,23 +86,6 @@ bool isJointed(World const& world, ObjectId id) {
            });
 }
 
-/// Whether an electromagnet has no current.
-bool isAsleep(World const& world, ObjectId magnet) {
-    auto const* const state = world.find<ElectricalState>();
-    return world.find<Electromagnet>(magnet) != nullptr && (state == nullptr || !state->isOn(magnet));
-}
-
-/// The gaps of the circuit of an electromagnet that is off.
-Miss missOfCoil(World const& world, ObjectId magnet, CircuitSight& circuits) {
-    CircuitCut const& cut = circuits.cutAt(world, magnet);
-    Miss miss;
-    miss.objects = {magnet};
-    miss.lack = cut.hopeless ? Lack::source : cut.gaps.empty() ? Lack::change : Lack::gap;
-    miss.by = cut.gaps.empty() ? 1 : cut.width;
-    miss.gaps = cut.gaps;
-    return miss;
-}
-
 } // namespace
 
 void addSleepingCoils(Miss& miss, World const& world, CircuitSight& circuits) {
@@ -129,8 +110,8 @@ void addSleepingCoils(Miss& miss, World const& world, CircuitSight& circuits) {
     };
     for (ObjectId const coil : coils->owners()) {
         bool const asked = std::find(miss.objects.begin(), miss.objects.end(), coil) != miss.objects.end();
-        if (!asked && isAsleep(world, coil) && moves(coil)) {
-            miss.besides.push_back(missOfCoil(world, coil, circuits));
+        if (!asked && isIdle(world, coil) && moves(coil)) {
+            miss.besides.push_back(missOfIdle(world, coil, circuits));
         }
     }
 }
@@ -145,8 +126,8 @@ void addObstacles(Miss& miss, World const& world, CircuitSight& circuits) {
     if (!magnet.valid()) {
         return;
     }
-    if (isAsleep(world, magnet)) {
-        miss.besides.push_back(missOfCoil(world, magnet, circuits));
+    if (isIdle(world, magnet)) {
+        miss.besides.push_back(missOfIdle(world, magnet, circuits));
         return;
     }
     Miss other;

@@ -2,16 +2,22 @@
 
 #include "insight/search/random_placement.hpp"
 #include "insight/search/wire_ends.hpp"
+#include "insight/trial/solution_text.hpp"
 #include "insight/trial/trial.hpp"
 
 #include <algorithm>
 #include <array>
+#include <map>
+#include <utility>
 
 namespace trembler::insight {
 namespace {
 
 constexpr std::size_t mostPlacedParts = 8;
 constexpr int changesTried = 12;
+constexpr std::size_t mostCombined = 4; // parts
+constexpr double combinedByChance = 0.5;
+constexpr double addedByChance = 0.2;
 constexpr std::array<double, 7> moveScales{0.01, 0.02, 0.05, 0.1, 0.2, 0.4, 0.8}; // m
 constexpr std::array<double, 6> turnScales{2, 5, 15, 45, 90, 180};                // degrees
 
@@ -35,21 +41,63 @@ std::vector<std::string> partsLeft(LevelUnderTest const& level, Solution const& 
 } // namespace
 
 Mutator::Mutator(LevelUnderTest const& level, bool hands)
-    : level_(level), hands_(hands), places_(placesOfInterest(level)), things_(thingsIn(level.world())) {}
+    : level_(level), hands_(hands), places_(placesOfInterest(level)), things_(thingsIn(level.world())) {
+    std::map<Place::Kind, std::vector<std::size_t>> kinds;
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+        kinds[places_[i].kind].push_back(i);
+    }
+    for (auto& [kind, places] : kinds) {
+        byKind_.push_back(std::move(places));
+    }
+}
 
-Solution Mutator::changed(std::span<Parent const> parents, CounterRandom& random) const {
-    Solution made;
+Place const& Mutator::anyPlace(CounterRandom& random) const {
+    std::vector<std::size_t> const& kind = byKind_[random.below(byKind_.size())];
+    return places_[kind[random.below(kind.size())]];
+}
+
+std::optional<Placement> Mutator::placedSomewhere(Solution const& others, std::string const& part,
+                                                  double byChance, CounterRandom& random) const {
+    if (places_.empty() || random.chance(byChance)) {
+        return placedAtRandom(level_, others, part, random);
+    }
+    double const turn = random.chance(0.7) ? 0 : static_cast<double>(random.below(12)) * pi / 12;
+    return placedAt(level_, anyPlace(random), part, turn);
+}
+
+Solution Mutator::combined(CounterRandom& random) const {
+    Solution solution;
+    std::size_t const count = 1 + random.below(mostCombined);
+    for (std::size_t n = 0; n < count; ++n) {
+        std::vector<std::string> const left = partsLeft(level_, solution);
+        if (left.empty()) {
+            break;
+        }
+        std::string const& part = left[random.below(left.size())];
+        if (auto const placement = placedSomewhere(solution, part, combinedByChance, random)) {
+            solution.placements.push_back(*placement);
+            if (n > 0 && whyNotPlaced(level_, solution)) {
+                solution.placements.pop_back();
+            }
+        }
+    }
+    addRandomWires(level_, solution, random);
+    return solution;
+}
+
+Attempt Mutator::changed(std::span<Parent const> parents, Tried const& tried, CounterRandom& random) const {
     for (int n = 0; n < changesTried; ++n) {
-        made = oneOf(parents, random).solution;
+        Parent const& parent = oneOf(parents, random);
+        Solution made = parent.solution;
         changeOnce(made, parents, random);
         while (random.chance(0.3)) {
             changeOnce(made, parents, random);
         }
-        if (!whyNotPlaced(level_, made)) {
-            return made;
+        if (!tried.contains(identityOf(made)) && !whyNotPlaced(level_, made)) {
+            return {std::move(made), parent.run};
         }
     }
-    return made;
+    return {combined(random), 0};
 }
 
 void Mutator::changeOnce(Solution& solution, std::span<Parent const> parents, CounterRandom& random) const {
@@ -84,8 +132,7 @@ void Mutator::changeOnce(Solution& solution, std::span<Parent const> parents, Co
 void Mutator::movePart(Solution& solution, CounterRandom& random) const {
     Placement& placement = solution.placements[random.below(solution.placements.size())];
     if (random.chance(0.25) && !places_.empty()) { // to another place altogether
-        if (auto const there =
-                placedAt(level_, places_[random.below(places_.size())], placement.part, placement.angle)) {
+        if (auto const there = placedAt(level_, anyPlace(random), placement.part, placement.angle)) {
             placement.at = there->at;
         }
         return;
@@ -110,13 +157,7 @@ void Mutator::addPart(Solution& solution, CounterRandom& random) const {
         return;
     }
     std::string const& part = left[random.below(left.size())];
-    std::optional<Placement> placement;
-    if (places_.empty() || random.chance(0.2)) {
-        placement = placedAtRandom(level_, solution, part, random);
-    } else {
-        double const turn = random.chance(0.7) ? 0 : static_cast<double>(random.below(12)) * pi / 12;
-        placement = placedAt(level_, places_[random.below(places_.size())], part, turn);
-    }
+    auto const placement = placedSomewhere(solution, part, addedByChance, random);
     if (placement) {
         solution.placements.push_back(*placement);
     }

@@ -18,10 +18,14 @@
 namespace trembler::insight {
 namespace {
 
-constexpr std::size_t generation = 64; // trials
-constexpr double byChance = 0.25;      // of the attempts of a generation: the measure may mislead
+// Trials of a generation: a quarter of those before, so that the first nearest misses are used early.
+constexpr std::uint64_t leastGeneration = 16;
+constexpr std::uint64_t mostGeneration = 64;
+constexpr double byChance = 0.3;  // of the attempts of a generation: the measure may mislead
+constexpr double combined = 0.35; // several parts at once, see Mutator::combined()
 constexpr std::size_t mostParents = 40;
 constexpr std::size_t mostAlike = 5;      // parents with the same parts and deeds
+constexpr double barrenCost = 0.02;       // added to the miss of a parent for each change without success
 constexpr double farther = 0.3;           // added to the miss of attempts with the parts of a known solution
 constexpr std::uint64_t mostExamined = 2; // solutions with the same parts and deeds
 
@@ -46,11 +50,6 @@ bool includesAll(MultiSet const& many, MultiSet const& few) {
     return std::includes(many.begin(), many.end(), few.begin(), few.end());
 }
 
-struct Tried {
-    Solution solution;
-    TrialResult result;
-};
-
 class Search {
 public:
     Search(LevelUnderTest const& level, SearchOptions const& options, Workers& workers)
@@ -61,30 +60,25 @@ public:
         result_.places = mutator_.places().size();
         if (options_.random) {
             while (mayGoOn()) {
-                tryGeneration("random",
-                              [&](CounterRandom& random) { return randomSolution(level_, random); });
+                tryGeneration("random", [&](CounterRandom& random) {
+                    return Attempt{randomSolution(level_, random), 0};
+                });
             }
             return std::move(result_);
         }
         trySolutions({Solution{}}, "empty");
-        std::vector<Solution> const singles = singleParts();
-        std::size_t const most = std::min<std::size_t>(singles.size(), options_.runs / 3);
-        for (std::size_t begin = 0; begin < most && mayGoOn(); begin += generation) {
-            std::vector<Solution> batch;
-            for (std::size_t i = begin; i < std::min(most, begin + generation); ++i) {
-                batch.push_back(singles[i]);
-            }
-            trySolutions(batch, "single");
-        }
         while (mayGoOn()) {
             std::vector<Parent> const parents = parents_;
             std::string text;
             for (Parent const& parent : parents) {
                 text += identityOf(parent.solution);
             }
+            bool const begins = result_.runs < leastGeneration;
             tryGeneration("mutation/" + hashOf(text), [&](CounterRandom& random) {
-                return random.chance(byChance) ? randomSolution(level_, random)
-                                               : mutator_.changed(parents, random);
+                double const which = random.unit() * (begins ? byChance + combined : 1);
+                return which < byChance              ? Attempt{randomSolution(level_, random), 0}
+                       : which < byChance + combined ? Attempt{mutator_.combined(random), 0}
+                                                     : mutator_.changed(parents, tried_, random);
             });
         }
         return std::move(result_);
@@ -93,38 +87,10 @@ public:
 private:
     [[nodiscard]] bool mayGoOn() const { return result_.runs < options_.runs && !workers_.stopped(); }
 
-    /// Every part in every place, as it is and upright: place by place in turns of all kinds of places, so
-    /// that the first ones are of all kinds.
-    [[nodiscard]] std::vector<Solution> singleParts() const {
-        std::map<Place::Kind, std::vector<Place const*>> byKind;
-        std::size_t longest = 0;
-        for (Place const& place : mutator_.places()) {
-            byKind[place.kind].push_back(&place);
-            longest = std::max(longest, byKind[place.kind].size());
-        }
-        std::vector<Solution> singles;
-        for (double const turn : {0.0, pi / 2}) {
-            for (std::size_t i = 0; i < longest; ++i) {
-                for (auto const& [kind, places] : byKind) {
-                    if (i >= places.size()) {
-                        continue;
-                    }
-                    for (ToolboxEntry const& entry : level_.level().toolbox) {
-                        if (auto const placement = placedAt(level_, *places[i], entry.part, turn)) {
-                            Solution solution;
-                            solution.placements.push_back(*placement);
-                            singles.push_back(std::move(solution));
-                        }
-                    }
-                }
-            }
-        }
-        return singles;
-    }
-
     /// Trials of attempts that the pieces of work make themselves, as making one takes a while, too.
-    void tryGeneration(std::string const& what, std::function<Solution(CounterRandom&)> const& make) {
-        std::size_t const count = std::min<std::uint64_t>(generation, options_.runs - result_.runs);
+    void tryGeneration(std::string const& what, std::function<Attempt(CounterRandom&)> const& make) {
+        std::uint64_t const wanted = std::clamp(result_.runs / 4, leastGeneration, mostGeneration);
+        std::size_t const count = std::min(wanted, options_.runs - result_.runs);
         std::vector<std::string> keys;
         for (std::size_t i = 0; i < count; ++i) {
             keys.push_back(fmt::format("search/{}/{}/{}/{}/{}/{}", level_.identity(), options_.seed,
@@ -145,17 +111,18 @@ private:
             keys.push_back(fmt::format("search/{}/{}/{}/{}/{}", level_.identity(), options_.frames, what,
                                        identityOf(solutions[i]), result_.runs + i + 1));
         }
-        take(workers_.share(keys, [&](std::size_t index) { return trial(solutions[index]); }));
+        take(workers_.share(keys, [&](std::size_t index) { return trial({solutions[index], 0}); }));
     }
 
-    [[nodiscard]] std::string trial(Solution const& solution) const {
+    [[nodiscard]] std::string trial(Attempt const& attempt) const {
         TrialResult result;
         try {
-            result = tryOut(level_, solution, {.frames = options_.frames, .measureMiss = !options_.random});
+            result = tryOut(level_, attempt.solution,
+                            {.frames = options_.frames, .measureMiss = !options_.random});
         } catch (InputError const&) { // for example a wire to something that no longer exists
             result.fits = false;
         }
-        return nlohmann::json{toText(solution), toText(result)}.dump();
+        return nlohmann::json{toText(attempt.solution), toText(result), attempt.parent}.dump();
     }
 
     void take(std::vector<std::optional<std::string>> const& results) {
@@ -168,6 +135,8 @@ private:
             Solution const solution = solutionFrom(parsed.at(0).get<std::string>());
             TrialResult const result = trialFrom(parsed.at(1).get<std::string>());
             ++result_.runs;
+            tried_.insert(identityOf(solution));
+            noteChild(parsed.at(2).get<std::uint64_t>(), result);
             if (result.solved) {
                 ++result_.solved;
                 result_.firstSolved = result_.firstSolved.value_or(result_.runs);
@@ -187,6 +156,15 @@ private:
         }
         if (options_.sofar) {
             options_.sofar(result_);
+        }
+    }
+
+    /// Counts the changes of a parent that came no nearer than the parent itself.
+    void noteChild(std::uint64_t run, TrialResult const& result) {
+        auto const parent =
+            std::find_if(parents_.begin(), parents_.end(), [&](Parent const& one) { return one.run == run; });
+        if (run > 0 && parent != parents_.end() && !result.solved && result.miss >= parent->miss) {
+            ++barren_[run];
         }
     }
 
@@ -253,8 +231,11 @@ private:
             bool const knownParts = std::any_of(known.begin(), known.end(), [&](MultiSet const& few) {
                 return !few.empty() && includesAll(makings, few);
             });
-            ranked.push_back(
-                {parent.miss + (knownParts ? farther : 0), makings.size(), makings, std::move(parent)});
+            auto const barren = barren_.find(parent.run);
+            double const cost =
+                barren == barren_.end() ? 0 : barrenCost * static_cast<double>(barren->second);
+            ranked.push_back({parent.miss + cost + (knownParts ? farther : 0), makings.size(), makings,
+                              std::move(parent)});
         }
         std::sort(ranked.begin(), ranked.end(), [](Ranked const& a, Ranked const& b) {
             return std::tie(a.miss, a.size, a.parent.run) < std::tie(b.miss, b.size, b.parent.run);
@@ -277,6 +258,8 @@ private:
     LevelRuns runs_;
     Mutator mutator_;
     std::vector<Parent> parents_; // the nearest first
+    Tried tried_;
+    std::map<std::uint64_t, std::uint64_t> barren_; // by Parent::run
     std::map<MultiSet, std::uint64_t> solvedWith_;
     SearchResult result_;
 };

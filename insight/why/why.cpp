@@ -1,5 +1,6 @@
 #include "insight/why/answer.hpp"
 #include "insight/why/runs/candidates.hpp"
+#include "insight/why/runs/held_back.hpp"
 #include "insight/why/runs/question_target.hpp"
 #include "insight/why/runs/second_runs.hpp"
 #include "insight/why/story/fold_repeats.hpp"
@@ -215,6 +216,7 @@ Answer why(LevelRuns const& runs, Solution const& solution, Question const& ques
     Target target = findTarget(runs, solution, question, options, answer);
     answer.runs = 1;
     if (!target.event) {
+        addHeldBack(runs, solution, options, answer);
         return answer; // the nearest miss is in it
     }
     answer.happened = true;

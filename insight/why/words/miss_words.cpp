@@ -173,6 +173,8 @@ std::string sentenceOf(Miss const& miss, Extreme extreme, std::string const& whe
         return waysText(miss, first, language) + when;
     case Lack::held:
         return language.mix("{} still held {} back", {first, second}) + when;
+    case Lack::blocked:
+        return language.mix("{} stood in the way of {}", {first, second}) + when;
     case Lack::absent:
         return language.mix("there was nothing that {} could have touched", {first}) + when;
     case Lack::touches: {
@@ -202,6 +204,14 @@ void addSentences(Miss const& miss, Extreme extreme, std::uint64_t named, Answer
     Extreme const now = isOfItsMoment(miss) ? Extreme::none : extreme;
     Extreme const here = later ? Extreme::farthest : now;
     sentences.push_back(capitalised(sentenceOf(miss, here, when, language)) + ".");
+    if (miss.ifClosed != IfClosed::unknown) {
+        std::string const text =
+            language.fill(miss.ifClosed == IfClosed::met
+                              ? "with this circuit closed, the goal would have been met"
+                              : "with this circuit closed, the run would have come nearer to the goal",
+                          {});
+        sentences.push_back(capitalised(text) + ".");
+    }
     for (Miss const& other : miss.besides) {
         Extreme const there = here == Extreme::nearest ? here : Extreme::none;
         addSentences(other, there, later ? miss.frame : named, language, sentences);
@@ -251,6 +261,9 @@ nlohmann::ordered_json toJson(Miss const& miss) {
     }
     if (!ways.empty()) {
         made["ways"] = ways;
+    }
+    if (miss.ifClosed != IfClosed::unknown) {
+        made["if_closed"] = miss.ifClosed == IfClosed::met ? "met" : "nearer";
     }
     if (miss.lack == Lack::count) {
         made["too_many"] = miss.tooMany;

@@ -102,6 +102,20 @@ std::vector<std::string> sentencesOf(Answer const& answer, std::string const& go
     return ChainSentences(answer, goal, language).sentences();
 }
 
+std::string sourceOf(Answer const& answer, AnswerLanguage const& language) {
+    std::string const runs = std::to_string(answer.runs);
+    bool const one = answer.runs == 1;
+    if (!answer.happened) {
+        return language.fill(one ? "measured in {} run" : "measured in {} runs", {runs});
+    }
+    if (answer.confirmed) {
+        return language.fill(one ? "confirmed in {} run" : "confirmed in {} runs", {runs});
+    }
+    return language.fill(one ? "traced in {} run, not confirmed in all steps"
+                             : "traced in {} runs, not confirmed in all steps",
+                         {runs});
+}
+
 nlohmann::ordered_json toJson(Answer const& answer, std::string const& asked, std::string const& goal,
                               AnswerLanguage const& language) {
     nlohmann::ordered_json chain = nlohmann::ordered_json::array();

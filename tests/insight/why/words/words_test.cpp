@@ -41,6 +41,20 @@ Sentences endOf(Miss const& by, AnswerLanguage const& language = AnswerLanguage(
     return all;
 }
 
+TEST(Words, TheNumberOfRunsIsToldInTheLanguageOfTheAnswer) {
+    Answer answer;
+    answer.runs = 1;
+    EXPECT_EQ(sourceOf(answer, AnswerLanguage()), "measured in 1 run");
+    EXPECT_EQ(sourceOf(answer, AnswerLanguage(german())), "gemessen in 1 Lauf");
+    answer.happened = true;
+    answer.runs = 7;
+    EXPECT_EQ(sourceOf(answer, AnswerLanguage(german())),
+              "verfolgt in 7 Läufen, nicht in allen Schritten bestätigt");
+    answer.confirmed = true;
+    EXPECT_EQ(sourceOf(answer, AnswerLanguage()), "confirmed in 7 runs");
+    EXPECT_EQ(sourceOf(answer, AnswerLanguage(german())), "bestätigt in 7 Läufen");
+}
+
 // The ball of this level falls into an area that it should stay out of, after a third of a second.
 TEST(Words, WhatHeldForAWhileNeverIsSaidNotToHave) {
     LevelFile const level = readLevel(gameData().registry, JsonDocument::parse(R"({

@@ -1,0 +1,64 @@
+#include "insight/why/runs/goal_runs.hpp"
+
+#include "insight/why/runs/side_by_side.hpp"
+#include "physics/electricity/properties/electrical.hpp"
+
+#include <memory>
+
+namespace trembler::insight {
+namespace goal_runs {
+namespace {
+
+constexpr double clearlyNearer = 0.9; // of the measure
+
+} // namespace
+} // namespace goal_runs
+
+std::vector<GoalRun> GoalRuns::run(std::vector<Variation> const& variations, std::string const& device) {
+    auto const stopped = [&] { return options_.stop && options_.stop(); };
+    if (!answer_.complete || stopped()) {
+        answer_.complete = false;
+        return {};
+    }
+    std::vector<GoalRun> results(variations.size());
+    sideBySide(variations.size(), threadsFor(options_.threads),
+               [&](std::size_t i) { results[i] = one(variations[i], device); });
+    answer_.runs += variations.size();
+    bool const goesOn = !options_.progress || options_.progress(answer_.runs, answer_.runs);
+    if (!goesOn || stopped()) {
+        answer_.complete = false;
+        return {};
+    }
+    return results;
+}
+
+GoalRun GoalRuns::one(Variation const& variation, std::string const& device) const {
+    GoalRun result;
+    std::unique_ptr<MissMeter> meter;
+    RunObserver observer;
+    observer.begin = [&](LevelRun const& run) {
+        meter = std::make_unique<MissMeter>(runs_.level(), run.world());
+    };
+    observer.frame = [&](LevelRun const& run) {
+        World const& world = run.world();
+        meter->look(world);
+        if (auto const* const state = world.find<ElectricalState>(); state != nullptr) {
+            ObjectId const id = world.store().find(device);
+            result.deviceWasOn = result.deviceWasOn || (id.valid() && state->isOn(id));
+        }
+        return !(options_.stop && options_.stop());
+    };
+    observer.end = [&](LevelRun const&) {
+        for (GoalMiss const& goal : meter->result().goals) {
+            if (goal.id == goal_) {
+                result.met = goal.met.has_value();
+                result.nearer = result.met || goal.nearest.measure < goal_runs::clearlyNearer * measure_;
+            }
+        }
+    };
+    RunResult const ran =
+        runs_.run(variation, {.frames = options_.frames, .stopWhenSolved = true, .trace = false}, observer);
+    return ran.fault ? GoalRun{} : result;
+}
+
+} // namespace trembler::insight

@@ -1,0 +1,43 @@
+// Runs that show whether a change would have brought a goal nearer.
+#pragma once
+
+#include "insight/run/variation.hpp"
+#include "insight/why/answer.hpp"
+
+#include <string>
+#include <vector>
+
+namespace trembler::insight {
+
+/// The result of one run for a goal.
+struct GoalRun {
+    bool met = false;
+    /// It came clearly nearer than the run that was asked about: its measure is a tenth less, or it met the
+    /// goal. False if the run was not possible.
+    bool nearer = false;
+    bool deviceWasOn = false; ///< whether current flowed through the device in any frame
+};
+
+/// All referenced objects must outlive it.
+class GoalRuns {
+public:
+    /// `measure`: that of the goal's nearest miss in the run that was asked about.
+    GoalRuns(LevelRuns const& runs, std::string goal, double measure, AskOptions const& options,
+             Answer& answer)
+        : runs_(runs), goal_(std::move(goal)), measure_(measure), options_(options), answer_(answer) {}
+
+    /// Side by side, and counted in the answer. Empty if it was stopped; then the answer is incomplete.
+    [[nodiscard]] std::vector<GoalRun> run(std::vector<Variation> const& variations,
+                                           std::string const& device);
+
+private:
+    [[nodiscard]] GoalRun one(Variation const& variation, std::string const& device) const;
+
+    LevelRuns const& runs_;
+    std::string goal_;
+    double measure_;
+    AskOptions const& options_;
+    Answer& answer_;
+};
+
+} // namespace trembler::insight
