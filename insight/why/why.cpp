@@ -65,14 +65,25 @@ std::vector<StepSet> nearestShown(Story const& story, std::vector<bool> const& s
 }
 
 /// Leaves out of several contacts of a pair that follow from each other, as when something bounces, all but
-/// the last.
+/// the last. A contact from which the later one follows by way of other steps, as that of a doorbell's
+/// striker, is no bounce.
 void joinBounces(Story const& story, std::vector<bool>& shown) {
     std::vector<StepSet> const nearest = nearestShown(story, shown);
+    std::vector<StepSet> ancestors(story.steps.size());
+    for (std::size_t i = 0; i < story.steps.size(); ++i) {
+        for (std::size_t const cause : nearest[i]) {
+            ancestors[i].insert(cause);
+            ancestors[i].insert(ancestors[cause].begin(), ancestors[cause].end());
+        }
+    }
     for (std::size_t i = 0; i < story.steps.size(); ++i) {
         for (std::size_t const cause : nearest[i]) {
             Step const& before = story.steps[cause];
-            if (shown[i] && story.steps[i].kind == StepKind::contact && before.kind == StepKind::contact &&
-                before.objects == story.steps[i].objects) {
+            bool const same = shown[i] && story.steps[i].kind == StepKind::contact &&
+                              before.kind == StepKind::contact && before.objects == story.steps[i].objects;
+            if (same && std::none_of(nearest[i].begin(), nearest[i].end(), [&](std::size_t other) {
+                    return story.steps[other].kind != StepKind::contact && ancestors[other].contains(cause);
+                })) {
                 shown[cause] = false;
             }
         }

@@ -121,6 +121,37 @@ TEST(WhyExperiments, TheDoorbellRingsBecauseOfItsSwitch) {
                            {StepKind::contact, {"bell", "striker"}}});
 }
 
+// "It leaves the contact, the current stops, and it falls back": the whole of each stroke.
+TEST(WhyExperiments, TheStrikerFallsBackBecauseItsMagnetLetsGo) {
+    Answer const answer = answerIn("2-doorbell", "hands off");
+    ASSERT_TRUE(answer.happened);
+    expectInOrder(answer, {{StepKind::contact, {"contact", "striker"}},
+                           {StepKind::contact, {"object 1", "switch"}},
+                           {StepKind::magnetOn, {"electromagnet"}},
+                           {StepKind::pull, {"striker"}},
+                           {StepKind::apart, {"contact", "striker"}},
+                           {StepKind::off, {"electromagnet"}},
+                           {StepKind::magnetOff, {"electromagnet"}},
+                           {StepKind::contact, {"bell", "striker"}}});
+    std::size_t fallsBack = answer.chain.size();
+    for (std::size_t i = 0; i < answer.chain.size(); ++i) {
+        Step const& step = answer.chain[i].step;
+        bool const letsGo = std::any_of(step.because.begin(), step.because.end(), [&](std::size_t cause) {
+            return answer.chain[cause].step.kind == StepKind::magnetOff;
+        });
+        if (letsGo) {
+            EXPECT_EQ(step.kind, StepKind::contact) << told(answer);
+            EXPECT_EQ(step.objects, (std::vector<std::string>{"contact", "striker"}))
+                << "the striker reaches the bell by its momentum: " << told(answer);
+            EXPECT_TRUE(isSure(answer, i));
+            fallsBack = i;
+        }
+    }
+    ASSERT_LT(fallsBack, answer.chain.size());
+    ASSERT_LT(fallsBack + 1, answer.chain.size());
+    EXPECT_EQ(answer.chain[fallsBack + 1].step.kind, StepKind::on) << "and so it goes on";
+}
+
 TEST(WhyExperiments, AWedgeIsWhyTheBellIsSilent) {
     Answer const answer = answerIn("2-doorbell", "a wedge in the way");
     EXPECT_FALSE(answer.happened);
