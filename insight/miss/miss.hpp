@@ -60,6 +60,7 @@ struct Miss {
     Lack lack = Lack::change;
     double by = 0;                 ///< in the unit of `lack`, at least 0
     std::uint64_t frame = 0;       ///< the moment
+    bool atBest = false;           ///< in `besides`: at `frame` it was least, see NearestCircuits
     std::vector<ObjectId> objects; ///< that it is about: first the one that acts or moves
     /// Their names, as the objects may no longer exist when this is read; see nameObjects().
     std::vector<std::string> names;

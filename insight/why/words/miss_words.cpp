@@ -39,6 +39,9 @@ std::string reasonText(CircuitGap const& gap, AnswerLanguage const& language) {
     case GapReason::foreign:
         return language.mix("no current of another source passes from {} to {}",
                             {{gap.nameA, true}, {gap.nameB, true}});
+    case GapReason::cut:
+        return language.mix("the wire between {} and {} had been cut",
+                            {{gap.nameA, true}, {gap.nameB, true}});
     case GapReason::apart:
         break;
     }

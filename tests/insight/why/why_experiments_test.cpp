@@ -106,8 +106,24 @@ TEST(WhyExperiments, ACutWireIsWhyNothingIsLifted) {
     ASSERT_TRUE(answer.nearest);
     EXPECT_EQ(answer.nearest->nearest.lack, Lack::distance);
     ASSERT_EQ(answer.nearest->nearest.besides.size(), 1U);
-    EXPECT_EQ(answer.nearest->nearest.besides.front().lack, Lack::gap);
-    EXPECT_NE(told(answer).find("No current flowed through the electromagnet"), std::string::npos);
+    Miss const& circuit = answer.nearest->nearest.besides.front();
+    EXPECT_EQ(circuit.lack, Lack::gap);
+    ASSERT_EQ(circuit.gaps.size(), 1U);
+    EXPECT_EQ(circuit.gaps.front().reason, GapReason::cut);
+    std::string const words = told(answer);
+    EXPECT_NE(words.find("No current flowed through the electromagnet: the wire between "), std::string::npos)
+        << words;
+    EXPECT_NE(words.find(" had been cut"), std::string::npos) << words;
+    EXPECT_EQ(words.find("and the switch"), std::string::npos) << "the switch fell onto both: " << words;
+}
+
+// The lamp's own circuit is whole: its dynamo stands still.
+TEST(WhyExperiments, ACutWireInTheMotorsCircuitIsNoGapInTheDynamos) {
+    Answer const answer = answerIn("3d-motor-and-generator", "cut the wire before the switch falls");
+    EXPECT_FALSE(answer.happened);
+    std::string const words = told(answer);
+    EXPECT_NE(words.find("the dynamo turned at 0 degrees a second"), std::string::npos) << words;
+    EXPECT_EQ(words.find("between the dynamo and the motor"), std::string::npos) << words;
 }
 
 // Experiment II: the switch closes the circuit, the magnet pulls the striker, which leaves its contact.
@@ -152,12 +168,24 @@ TEST(WhyExperiments, TheStrikerFallsBackBecauseItsMagnetLetsGo) {
     EXPECT_EQ(answer.chain[fallsBack + 1].step.kind, StepKind::on) << "and so it goes on";
 }
 
+// The circuit is closed again and again, so that no gap is missing.
 TEST(WhyExperiments, AWedgeIsWhyTheBellIsSilent) {
     Answer const answer = answerIn("2-doorbell", "a wedge in the way");
     EXPECT_FALSE(answer.happened);
     std::string const words = told(answer);
     EXPECT_NE(words.find("The striker came within"), std::string::npos) << words;
+    EXPECT_EQ(words.find("No current flowed"), std::string::npos) << words;
+}
+
+// The switch closes the other gap while the clip still insulates the contact.
+TEST(WhyExperiments, AWoodenClipIsWhyNoCurrentFlows) {
+    Answer const answer = answerIn("2-doorbell", "a wooden clip on the contact");
+    EXPECT_FALSE(answer.happened);
+    std::string const words = told(answer);
+    EXPECT_NE(words.find("No current flowed through the electromagnet"), std::string::npos) << words;
     EXPECT_NE(words.find("between the contact and the striker"), std::string::npos) << words;
+    EXPECT_EQ(words.find("object 1 and object 2"), std::string::npos) << words;
+    EXPECT_EQ(words.find("and the switch"), std::string::npos) << words;
 }
 
 // Experiment III: "the sliding contact falls onto a spoke and closes a circuit through it", and opens it.
