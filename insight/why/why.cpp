@@ -1,6 +1,7 @@
 #include "insight/why/answer.hpp"
 #include "insight/why/runs/candidates.hpp"
 #include "insight/why/runs/held_back.hpp"
+#include "insight/why/runs/in_the_way.hpp"
 #include "insight/why/runs/question_target.hpp"
 #include "insight/why/runs/second_runs.hpp"
 #include "insight/why/story/fold_repeats.hpp"
@@ -228,6 +229,7 @@ Answer why(LevelRuns const& runs, Solution const& solution, Question const& ques
     answer.runs = 1;
     if (!target.event) {
         addHeldBack(runs, solution, options, answer);
+        addInTheWay(runs, solution, options, answer);
         return answer; // the nearest miss is in it
     }
     answer.happened = true;

@@ -168,13 +168,15 @@ TEST(WhyExperiments, TheStrikerFallsBackBecauseItsMagnetLetsGo) {
     EXPECT_EQ(answer.chain[fallsBack + 1].step.kind, StepKind::on) << "and so it goes on";
 }
 
-// The circuit is closed again and again, so that no gap is missing.
+// The circuit is closed again and again, so that no gap is missing: without the wedge the bell rings.
 TEST(WhyExperiments, AWedgeIsWhyTheBellIsSilent) {
     Answer const answer = answerIn("2-doorbell", "a wedge in the way");
     EXPECT_FALSE(answer.happened);
     std::string const words = told(answer);
     EXPECT_NE(words.find("The striker came within"), std::string::npos) << words;
     EXPECT_EQ(words.find("No current flowed"), std::string::npos) << words;
+    EXPECT_NE(words.find("Wooden wedge 1 stood in the way of the striker"), std::string::npos) << words;
+    EXPECT_NE(words.find("Without wooden wedge 1, the goal would have been met"), std::string::npos) << words;
 }
 
 // The switch closes the other gap while the clip still insulates the contact.
@@ -195,6 +197,15 @@ TEST(WhyExperiments, TheMotorsMagnetIsSwitchedByTheSlidingContact) {
     expectInOrder(off, {{StepKind::contact, {"sliding contact", "spoke 1"}},
                         {StepKind::off, {"EM-North"}},
                         {StepKind::magnetOff, {"EM-North"}}});
+}
+
+// "Put the stone block where the spokes have to pass."
+TEST(WhyExperiments, ABlockIsWhyTheMotorStops) {
+    Answer const answer = answerIn("3-electric-motor", "a block in its way");
+    EXPECT_FALSE(answer.happened);
+    std::string const words = told(answer);
+    EXPECT_NE(words.find("Block 1 stood in the way of spoke "), std::string::npos) << words;
+    EXPECT_NE(words.find("Without block 1, the goal would have been met"), std::string::npos) << words;
 }
 
 // Experiment IV: the floats are in the water.
