@@ -3,9 +3,11 @@
 #include "insight/why/words/words.hpp"
 #include "puzzle/campaign/as_played.hpp"
 #include "runtime/level/read/read_level.hpp"
+#include "runtime/trace/tracer.hpp"
 #include "tests/support/game_data.hpp"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <utility>
@@ -98,6 +100,38 @@ TEST(WhyExperiments, AnotherBridgeIsNamedInPlaceOfTheSwitch) {
     }
 }
 
+// `--event N` of `trembler why` is the N-th event of the trace.
+TEST(WhyExperiments, AnEventIsExplainedByItsNumber) {
+    LevelFile const level = experiment("1-switched-electromagnet");
+    LevelRuns const runs(gameData(), level);
+    Question question;
+    std::uint64_t frame = 0;
+    RunObserver observer;
+    observer.end = [&](LevelRun const& run) {
+        std::span<Event const> const events = run.world().tracer()->events();
+        for (std::size_t i = 0; i < events.size() && !question.event; ++i) {
+            if (kindOf(events[i]) == StepKind::magnetOn) {
+                question.event = i + 1;
+                frame = events[i].frame;
+            }
+        }
+    };
+    Solution const& solution = *level.findSolution("hands off");
+    (void)runs.run({solution}, {.frames = 200, .trace = true}, observer);
+    ASSERT_TRUE(question.event);
+    AskOptions options;
+    options.frames = 200;
+    Answer const answer = why(runs, solution, question, options);
+    ASSERT_TRUE(answer.happened);
+    ASSERT_FALSE(answer.chain.empty());
+    EXPECT_EQ(answer.chain.back().step.kind, StepKind::magnetOn);
+    EXPECT_EQ(answer.chain.back().step.frame, frame);
+    expectInOrder(answer, {{StepKind::contact, {"object 1", "switch"}},
+                           {StepKind::on, {"electromagnet"}},
+                           {StepKind::magnetOn, {"electromagnet"}}});
+    EXPECT_EQ(placeIn(answer, StepKind::pull, {"metal object"}), answer.chain.size()) << "it comes later";
+}
+
 // Without a way for the current the ball stays where it is, and the answer names both things that are
 // missing.
 TEST(WhyExperiments, ACutWireIsWhyNothingIsLifted) {
@@ -115,6 +149,15 @@ TEST(WhyExperiments, ACutWireIsWhyNothingIsLifted) {
         << words;
     EXPECT_NE(words.find(" had been cut"), std::string::npos) << words;
     EXPECT_EQ(words.find("and the switch"), std::string::npos) << "the switch fell onto both: " << words;
+}
+
+TEST(WhyExperiments, TheDynamosLampIsLitBecauseOfTheSwitch) {
+    Answer const answer = answerIn("3d-motor-and-generator", "hands off");
+    ASSERT_TRUE(answer.happened);
+    expectInOrder(answer, {{StepKind::contact, {"object 1", "switch"}},
+                           {StepKind::on, {"motor"}},
+                           {StepKind::on, {"lamp"}},
+                           {StepKind::goal, {"lamp"}}});
 }
 
 // The lamp's own circuit is whole: its dynamo stands still.
@@ -166,6 +209,27 @@ TEST(WhyExperiments, TheStrikerFallsBackBecauseItsMagnetLetsGo) {
     ASSERT_LT(fallsBack, answer.chain.size());
     ASSERT_LT(fallsBack + 1, answer.chain.size());
     EXPECT_EQ(answer.chain[fallsBack + 1].step.kind, StepKind::on) << "and so it goes on";
+}
+
+// Other programs rely on the keys.
+TEST(WhyExperiments, TheJsonNamesWhatStoodInTheWayAndWhatWasCut) {
+    auto const missIn = [](std::string const& level, std::string const& solution) {
+        return toJson(answerIn(level, solution).nearest->nearest);
+    };
+    auto const wedge = missIn("2-doorbell", "a wedge in the way");
+    EXPECT_EQ(wedge["what"], "distance");
+    ASSERT_EQ(wedge["besides"].size(), 1U);
+    EXPECT_EQ(wedge["besides"][0]["what"], "blocked");
+    EXPECT_EQ(wedge["besides"][0]["objects"], nlohmann::ordered_json({"wooden wedge 1", "striker"}));
+    EXPECT_EQ(wedge["besides"][0]["if_gone"], "met");
+    auto const cut = missIn("1-switched-electromagnet", "cut the wire before the switch falls");
+    ASSERT_EQ(cut["besides"].size(), 1U);
+    nlohmann::ordered_json const& gap = cut["besides"][0];
+    EXPECT_EQ(gap["what"], "gap");
+    EXPECT_EQ(gap["if_closed"], "met");
+    EXPECT_GT(gap["frame"], cut["frame"]) << "the best moment of the circuit";
+    EXPECT_EQ(gap["gaps"][0]["reason"], "cut");
+    EXPECT_EQ(gap["gaps"][0]["width"], 0);
 }
 
 // The circuit is closed again and again, so that no gap is missing: without the wedge the bell rings.
