@@ -37,7 +37,8 @@ enum class Lack : std::uint8_t {
 /// "m", "N" ...; "" for counts.
 [[nodiscard]] std::string_view unitOf(Lack lack);
 
-/// What a run with the gaps of a circuit closed, by wires, showed about the goal.
+/// What a run with the gaps of a circuit closed, by wires, or without what stood in the way, showed about the
+/// goal.
 enum class IfClosed : std::uint8_t {
     unknown, ///< there was no such run, or it came no nearer
     nearer,  ///< it came nearer to the goal
@@ -60,13 +61,14 @@ struct Miss {
     Lack lack = Lack::change;
     double by = 0;                 ///< in the unit of `lack`, at least 0
     std::uint64_t frame = 0;       ///< the moment
+    bool atBest = false;           ///< in `besides`: at `frame` it was least, see NearestCircuits
     std::vector<ObjectId> objects; ///< that it is about: first the one that acts or moves
     /// Their names, as the objects may no longer exist when this is read; see nameObjects().
     std::vector<std::string> names;
     Vec2 from;                             ///< m, in the world: distance, from here ...
     Vec2 to;                               ///< ... to here
     std::vector<CircuitGap> gaps;          ///< of a circuit
-    IfClosed ifClosed = IfClosed::unknown; ///< of these gaps; see addConfirmedObstacles()
+    IfClosed ifClosed = IfClosed::unknown; ///< of these gaps, or of Lack::blocked
     std::vector<CurrentWay> ways;          ///< of Lack::ways: the connections
     bool tooMany = false;                  ///< of Lack::count: too many, else too few
     std::vector<Miss> besides;             ///< other obstacles, such as a magnet that was off; see Aftermath

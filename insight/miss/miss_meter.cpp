@@ -1,6 +1,7 @@
 #include "insight/miss/miss_meter.hpp"
 
 #include "insight/miss/lift/lift.hpp"
+#include "puzzle/goals/conditions/sequence.hpp"
 #include "puzzle/goals/read_goals.hpp"
 
 #include <fmt/format.h>
@@ -29,6 +30,10 @@ MissMeter::MissMeter(LevelFile const& level, World const& world, For what)
         result_.goals.push_back(std::move(made));
     }
     after_.resize(result_.goals.size());
+    nearestCircuits_.resize(result_.goals.size());
+    if (what_ == For::explanation) {
+        circuits_.rememberWires(world);
+    }
 }
 
 MissMeter::~MissMeter() = default;
@@ -52,8 +57,21 @@ void MissMeter::keepNearest(std::size_t goal, Miss miss, World const& world) {
     nameObjects(nearest, world.store());
 }
 
+void MissMeter::lookAtCircuits(std::size_t goal, World const& world) {
+    Circuits& circuits = nearestCircuits_[goal];
+    ConditionState const& state = conditionOf(goal).state();
+    if (state.condition().kind->key() == "sequence") {
+        std::size_t const step = conditions::stepsDone(state);
+        if (std::exchange(circuits.step, step) != step) {
+            circuits.nearest.clear();
+        }
+    }
+    circuits.nearest.look(world, circuits_);
+}
+
 GoalMiss MissMeter::explained(std::size_t goal) const {
     GoalMiss made = result_.goals.at(goal);
+    nearestCircuits_[goal].nearest.judge(made.nearest, made.nearest.frame);
     std::vector<Miss> const ended = after_[goal].misses();
     made.nearest.besides.insert(made.nearest.besides.end(), ended.begin(), ended.end());
     return made;
@@ -77,6 +95,9 @@ void MissMeter::look(World const& world) {
         }
         bool const met = split_ ? condition_->kind->standingOf(*state_, i).holds : state_->met();
         after_[i].look(world, circuits_);
+        if (what_ == For::explanation) {
+            lookAtCircuits(i, world);
+        }
         Miss now = split_ ? conditionOf(i).now(world, circuits_) : whole;
         if (met) {
             goal.met = world.frame();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "insight/miss/aftermath.hpp"
+#include "insight/miss/current/nearest_circuits.hpp"
 #include "insight/run/level_runs.hpp"
 
 #include <memory>
@@ -33,8 +34,10 @@ class MissMeter {
 public:
     /// The requested results: a search needs no more than the measure of each run.
     enum class For : std::uint8_t {
-        measure,     ///< the nearest misses
-        explanation, ///< also the lift a liquid lacked, and the end of a goal that held too briefly
+        measure, ///< the nearest misses
+        /// also the lift a liquid lacked, the end of a goal that held too briefly, wires that were cut, and
+        /// how nearly the circuits of magnets were closed
+        explanation,
     };
 
     /// Sets itself up for a world that was built from the level, before its first frame. `level` must outlive
@@ -48,12 +51,14 @@ public:
     void look(World const& world);
     [[nodiscard]] LevelMiss const& result() const { return result_; }
     /// The nearest miss of a goal, by its place in the result, with the reason why it ended among
-    /// Miss::besides.
+    /// Miss::besides, and the circuits there at their own best moments, see NearestCircuits.
     [[nodiscard]] GoalMiss explained(std::size_t goal) const;
 
 private:
     /// Notes the nearest miss of a goal so far, and its explanation.
     void keepNearest(std::size_t goal, Miss miss, World const& world);
+    /// Notes how nearly the circuits of magnets are closed since the goal's present step began.
+    void lookAtCircuits(std::size_t goal, World const& world);
     [[nodiscard]] ConditionMiss const& conditionOf(std::size_t goal) const;
 
     std::optional<Condition> condition_;
@@ -62,7 +67,12 @@ private:
     CircuitSight circuits_;
     For what_ = For::measure;
     std::vector<Aftermath> after_; // of each goal
-    bool split_ = false;           // each child of the condition is a goal
+    struct Circuits {
+        NearestCircuits nearest;
+        std::size_t step = 0; // of a sequence
+    };
+    std::vector<Circuits> nearestCircuits_; // of each goal
+    bool split_ = false;                    // each child of the condition is a goal
     LevelMiss result_;
     std::uint64_t ticks_ = 0;
 };

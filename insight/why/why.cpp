@@ -1,6 +1,7 @@
 #include "insight/why/answer.hpp"
 #include "insight/why/runs/candidates.hpp"
 #include "insight/why/runs/held_back.hpp"
+#include "insight/why/runs/in_the_way.hpp"
 #include "insight/why/runs/question_target.hpp"
 #include "insight/why/runs/second_runs.hpp"
 #include "insight/why/story/fold_repeats.hpp"
@@ -65,14 +66,25 @@ std::vector<StepSet> nearestShown(Story const& story, std::vector<bool> const& s
 }
 
 /// Leaves out of several contacts of a pair that follow from each other, as when something bounces, all but
-/// the last.
+/// the last. A contact from which the later one follows by way of other steps, as that of a doorbell's
+/// striker, is no bounce.
 void joinBounces(Story const& story, std::vector<bool>& shown) {
     std::vector<StepSet> const nearest = nearestShown(story, shown);
+    std::vector<StepSet> ancestors(story.steps.size());
+    for (std::size_t i = 0; i < story.steps.size(); ++i) {
+        for (std::size_t const cause : nearest[i]) {
+            ancestors[i].insert(cause);
+            ancestors[i].insert(ancestors[cause].begin(), ancestors[cause].end());
+        }
+    }
     for (std::size_t i = 0; i < story.steps.size(); ++i) {
         for (std::size_t const cause : nearest[i]) {
             Step const& before = story.steps[cause];
-            if (shown[i] && story.steps[i].kind == StepKind::contact && before.kind == StepKind::contact &&
-                before.objects == story.steps[i].objects) {
+            bool const same = shown[i] && story.steps[i].kind == StepKind::contact &&
+                              before.kind == StepKind::contact && before.objects == story.steps[i].objects;
+            if (same && std::none_of(nearest[i].begin(), nearest[i].end(), [&](std::size_t other) {
+                    return story.steps[other].kind != StepKind::contact && ancestors[other].contains(cause);
+                })) {
                 shown[cause] = false;
             }
         }
@@ -217,6 +229,7 @@ Answer why(LevelRuns const& runs, Solution const& solution, Question const& ques
     answer.runs = 1;
     if (!target.event) {
         addHeldBack(runs, solution, options, answer);
+        addInTheWay(runs, solution, options, answer);
         return answer; // the nearest miss is in it
     }
     answer.happened = true;

@@ -19,6 +19,10 @@
 namespace trembler::insight {
 namespace {
 
+/// m, as of a generator at rest: a path by way of a cut wire and a further gap is not the nearest one as long
+/// as the object's own circuit has a reason.
+constexpr double cutCost = 0.5;
+
 template <class P>
 std::uint64_t versionOf(Store const& store) {
     auto const* const column = store.findColumn<P>();
@@ -94,10 +98,23 @@ std::string_view nameOf(GapReason reason) {
         return "blown";
     case GapReason::foreign:
         return "foreign";
+    case GapReason::cut:
+        return "cut";
     case GapReason::apart:
         break;
     }
     return "apart";
+}
+
+void CircuitSight::rememberWires(World const& world) {
+    auto const* const graph = world.store().findColumn<ElectricityGraph>();
+    for (ObjectId const id : graph == nullptr ? std::span<ObjectId const>() : graph->owners()) {
+        for (ElectricityGraph::Connection const& connection : graph->find(id)->connections) {
+            if (id < connection.to && connection.counts.of(CallerId::level()) > 0) {
+                wires_.emplace(id, connection.to);
+            }
+        }
+    }
 }
 
 void CircuitSight::look(World const& world) {
@@ -143,6 +160,11 @@ void CircuitSight::look(World const& world) {
             }
             if (auto const link = switched.between(conductors_[a], other)) {
                 links_.push_back({a, b, *link});
+            }
+            if (CircuitGap cut{.a = conductors_[a], .b = other, .cost = cutCost, .reason = GapReason::cut};
+                wires_.contains({cut.a, cut.b}) && !switched.addBlown(cut)) {
+                links_.push_back({a, b, std::move(cut)});
+                continue;
             }
             if (!placed[a] || !placed[b] || leastDistance(*placed[a], *placed[b]) > widest) {
                 continue;

@@ -7,8 +7,10 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace trembler::insight {
@@ -20,6 +22,7 @@ enum class GapReason : std::uint8_t {
     quiet,   ///< a sound sensor hears too little to connect them
     blown,   ///< one of them is a fuse that has blown
     foreign, ///< they are the two ends of a source of another network, which passes only its own current
+    cut,     ///< the wire between them was cut
 };
 /// "apart" ..., as files spell it.
 [[nodiscard]] std::string_view nameOf(GapReason reason);
@@ -62,6 +65,10 @@ public:
     static constexpr double widest = 3;
     static constexpr std::uint64_t patience = 6;
 
+    /// From now on a wire of the present ones that is cut is a gap of that reason. Without this call such a
+    /// wire is forgotten.
+    void rememberWires(World const& world);
+
     /// Two paths over conductors that share none but the object, from it to a source and to a return of one
     /// network; in a world that never had a return, one path to a source. Connections of the electricity
     /// graph cost nothing, gaps their `cost`: a minimum-cost flow of two units by shortest paths with
@@ -88,7 +95,8 @@ private:
     std::uint64_t graph_ = 0;
     std::vector<ObjectId> conductors_; // ascending
     std::vector<Link> links_;
-    std::map<ObjectId, CircuitCut> cuts_; // since then
+    std::map<ObjectId, CircuitCut> cuts_;           // since then
+    std::set<std::pair<ObjectId, ObjectId>> wires_; // remembered; the lesser id first
 };
 
 } // namespace trembler::insight

@@ -197,7 +197,7 @@ IfClosed ifClosedIn(GoalRun const& run) {
 std::vector<Miss*> gapsIn(std::vector<Miss>& besides) {
     std::vector<Miss*> gaps;
     for (Miss& miss : besides) {
-        if (miss.lack == Lack::gap && miss.frame == 0) { // else it is about what had held
+        if (miss.lack == Lack::gap && (miss.frame == 0 || miss.atBest)) { // else it is about what had held
             gaps.push_back(&miss);
         }
     }

@@ -70,6 +70,7 @@ private:
         if (!kind) {
             return;
         }
+        addReleases(*kind, i, all);
         if (*kind == StepKind::on) {
             on_.insert(event.objects.begin(), event.objects.end());
             waiting_.push_back(i);
@@ -133,6 +134,40 @@ private:
         }
     }
 
+    /// The trace has the beginning of a pull, but not its end. What a magnet pulled off something returned
+    /// there because the magnet was switched off; what it touches besides, it may reach by its momentum.
+    void addReleases(StepKind kind, std::size_t i, std::vector<std::set<std::size_t>>& all) {
+        std::vector<std::string> const& objects = events_[i].objects;
+        if (kind == StepKind::pull) {
+            for (std::string const& name : objects) {
+                pulls_[name] = {i, {}, {}};
+            }
+        } else if (kind == StepKind::apart) {
+            for (std::string const& name : objects) {
+                auto const pull = pulls_.find(name);
+                if (pull != pulls_.end() && all[i].contains(pull->second.begin)) {
+                    pull->second.left.insert(objects);
+                }
+            }
+        } else if (kind == StepKind::magnetOff) {
+            for (auto& [name, pull] : pulls_) {
+                bool const own = std::any_of(all[pull.begin].begin(), all[pull.begin].end(), [&](auto cause) {
+                    return kindOf(events_[cause]) == StepKind::magnetOn && events_[cause].objects == objects;
+                });
+                if (own && !pull.end) {
+                    pull.end = i;
+                }
+            }
+        } else if (kind == StepKind::contact) {
+            for (std::string const& name : objects) {
+                auto const pull = pulls_.find(name);
+                if (pull != pulls_.end() && pull->second.end && pull->second.left.contains(objects)) {
+                    all[i].insert(*pull->second.end);
+                }
+            }
+        }
+    }
+
     /// The contacts between objects that are on are causes of all that have just been switched on.
     void addCircuits(std::vector<std::set<std::size_t>>& all) {
         for (std::size_t const i : waiting_) {
@@ -171,6 +206,12 @@ private:
     std::set<std::string> on_;
     std::vector<std::size_t> waiting_; // "on" events of this frame
     std::map<std::string, std::set<std::size_t>> latest_;
+    struct Pull {
+        std::size_t begin = 0;
+        std::optional<std::size_t> end; // of the magnet
+        std::set<Names> left;           // contacts that it ended
+    };
+    std::map<std::string, Pull> pulls_;     // the last one of each object
     std::map<Names, std::size_t> immersed_; // objects and the liquids that they are in, at present
 };
 

@@ -39,6 +39,9 @@ std::string reasonText(CircuitGap const& gap, AnswerLanguage const& language) {
     case GapReason::foreign:
         return language.mix("no current of another source passes from {} to {}",
                             {{gap.nameA, true}, {gap.nameB, true}});
+    case GapReason::cut:
+        return language.mix("the wire between {} and {} had been cut",
+                            {{gap.nameA, true}, {gap.nameB, true}});
     case GapReason::apart:
         break;
     }
@@ -195,6 +198,19 @@ std::string sentenceOf(Miss const& miss, Extreme extreme, std::string const& whe
     return language.fill("it was met", {}) + when;
 }
 
+/// What the run without the obstacle showed about the goal.
+std::string otherwiseText(Miss const& miss, AnswerLanguage const& language) {
+    bool const met = miss.ifClosed == IfClosed::met;
+    if (miss.lack == Lack::blocked && !miss.names.empty()) {
+        return language.mix(met ? "without {}, the goal would have been met"
+                                : "without {}, the run would have come nearer to the goal",
+                            {{miss.names.front(), true}});
+    }
+    return language.fill(met ? "with this circuit closed, the goal would have been met"
+                             : "with this circuit closed, the run would have come nearer to the goal",
+                         {});
+}
+
 /// A sentence for the miss and for each of what stood in the way besides; with a moment, if it is another:
 /// then it is of what had held (see Aftermath).
 void addSentences(Miss const& miss, Extreme extreme, std::uint64_t named, AnswerLanguage const& language,
@@ -205,12 +221,7 @@ void addSentences(Miss const& miss, Extreme extreme, std::uint64_t named, Answer
     Extreme const here = later ? Extreme::farthest : now;
     sentences.push_back(capitalised(sentenceOf(miss, here, when, language)) + ".");
     if (miss.ifClosed != IfClosed::unknown) {
-        std::string const text =
-            language.fill(miss.ifClosed == IfClosed::met
-                              ? "with this circuit closed, the goal would have been met"
-                              : "with this circuit closed, the run would have come nearer to the goal",
-                          {});
-        sentences.push_back(capitalised(text) + ".");
+        sentences.push_back(capitalised(otherwiseText(miss, language)) + ".");
     }
     for (Miss const& other : miss.besides) {
         Extreme const there = here == Extreme::nearest ? here : Extreme::none;
@@ -263,7 +274,8 @@ nlohmann::ordered_json toJson(Miss const& miss) {
         made["ways"] = ways;
     }
     if (miss.ifClosed != IfClosed::unknown) {
-        made["if_closed"] = miss.ifClosed == IfClosed::met ? "met" : "nearer";
+        made[miss.lack == Lack::blocked ? "if_gone" : "if_closed"] =
+            miss.ifClosed == IfClosed::met ? "met" : "nearer";
     }
     if (miss.lack == Lack::count) {
         made["too_many"] = miss.tooMany;

@@ -3,9 +3,11 @@
 #include "insight/why/words/words.hpp"
 #include "puzzle/campaign/as_played.hpp"
 #include "runtime/level/read/read_level.hpp"
+#include "runtime/trace/tracer.hpp"
 #include "tests/support/game_data.hpp"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <utility>
@@ -98,6 +100,38 @@ TEST(WhyExperiments, AnotherBridgeIsNamedInPlaceOfTheSwitch) {
     }
 }
 
+// `--event N` of `trembler why` is the N-th event of the trace.
+TEST(WhyExperiments, AnEventIsExplainedByItsNumber) {
+    LevelFile const level = experiment("1-switched-electromagnet");
+    LevelRuns const runs(gameData(), level);
+    Question question;
+    std::uint64_t frame = 0;
+    RunObserver observer;
+    observer.end = [&](LevelRun const& run) {
+        std::span<Event const> const events = run.world().tracer()->events();
+        for (std::size_t i = 0; i < events.size() && !question.event; ++i) {
+            if (kindOf(events[i]) == StepKind::magnetOn) {
+                question.event = i + 1;
+                frame = events[i].frame;
+            }
+        }
+    };
+    Solution const& solution = *level.findSolution("hands off");
+    (void)runs.run({solution}, {.frames = 200, .trace = true}, observer);
+    ASSERT_TRUE(question.event);
+    AskOptions options;
+    options.frames = 200;
+    Answer const answer = why(runs, solution, question, options);
+    ASSERT_TRUE(answer.happened);
+    ASSERT_FALSE(answer.chain.empty());
+    EXPECT_EQ(answer.chain.back().step.kind, StepKind::magnetOn);
+    EXPECT_EQ(answer.chain.back().step.frame, frame);
+    expectInOrder(answer, {{StepKind::contact, {"object 1", "switch"}},
+                           {StepKind::on, {"electromagnet"}},
+                           {StepKind::magnetOn, {"electromagnet"}}});
+    EXPECT_EQ(placeIn(answer, StepKind::pull, {"metal object"}), answer.chain.size()) << "it comes later";
+}
+
 // Without a way for the current the ball stays where it is, and the answer names both things that are
 // missing.
 TEST(WhyExperiments, ACutWireIsWhyNothingIsLifted) {
@@ -106,8 +140,33 @@ TEST(WhyExperiments, ACutWireIsWhyNothingIsLifted) {
     ASSERT_TRUE(answer.nearest);
     EXPECT_EQ(answer.nearest->nearest.lack, Lack::distance);
     ASSERT_EQ(answer.nearest->nearest.besides.size(), 1U);
-    EXPECT_EQ(answer.nearest->nearest.besides.front().lack, Lack::gap);
-    EXPECT_NE(told(answer).find("No current flowed through the electromagnet"), std::string::npos);
+    Miss const& circuit = answer.nearest->nearest.besides.front();
+    EXPECT_EQ(circuit.lack, Lack::gap);
+    ASSERT_EQ(circuit.gaps.size(), 1U);
+    EXPECT_EQ(circuit.gaps.front().reason, GapReason::cut);
+    std::string const words = told(answer);
+    EXPECT_NE(words.find("No current flowed through the electromagnet: the wire between "), std::string::npos)
+        << words;
+    EXPECT_NE(words.find(" had been cut"), std::string::npos) << words;
+    EXPECT_EQ(words.find("and the switch"), std::string::npos) << "the switch fell onto both: " << words;
+}
+
+TEST(WhyExperiments, TheDynamosLampIsLitBecauseOfTheSwitch) {
+    Answer const answer = answerIn("3d-motor-and-generator", "hands off");
+    ASSERT_TRUE(answer.happened);
+    expectInOrder(answer, {{StepKind::contact, {"object 1", "switch"}},
+                           {StepKind::on, {"motor"}},
+                           {StepKind::on, {"lamp"}},
+                           {StepKind::goal, {"lamp"}}});
+}
+
+// The lamp's own circuit is whole: its dynamo stands still.
+TEST(WhyExperiments, ACutWireInTheMotorsCircuitIsNoGapInTheDynamos) {
+    Answer const answer = answerIn("3d-motor-and-generator", "cut the wire before the switch falls");
+    EXPECT_FALSE(answer.happened);
+    std::string const words = told(answer);
+    EXPECT_NE(words.find("the dynamo turned at 0 degrees a second"), std::string::npos) << words;
+    EXPECT_EQ(words.find("between the dynamo and the motor"), std::string::npos) << words;
 }
 
 // Experiment II: the switch closes the circuit, the magnet pulls the striker, which leaves its contact.
@@ -121,12 +180,78 @@ TEST(WhyExperiments, TheDoorbellRingsBecauseOfItsSwitch) {
                            {StepKind::contact, {"bell", "striker"}}});
 }
 
+// "It leaves the contact, the current stops, and it falls back": the whole of each stroke.
+TEST(WhyExperiments, TheStrikerFallsBackBecauseItsMagnetLetsGo) {
+    Answer const answer = answerIn("2-doorbell", "hands off");
+    ASSERT_TRUE(answer.happened);
+    expectInOrder(answer, {{StepKind::contact, {"contact", "striker"}},
+                           {StepKind::contact, {"object 1", "switch"}},
+                           {StepKind::magnetOn, {"electromagnet"}},
+                           {StepKind::pull, {"striker"}},
+                           {StepKind::apart, {"contact", "striker"}},
+                           {StepKind::off, {"electromagnet"}},
+                           {StepKind::magnetOff, {"electromagnet"}},
+                           {StepKind::contact, {"bell", "striker"}}});
+    std::size_t fallsBack = answer.chain.size();
+    for (std::size_t i = 0; i < answer.chain.size(); ++i) {
+        Step const& step = answer.chain[i].step;
+        bool const letsGo = std::any_of(step.because.begin(), step.because.end(), [&](std::size_t cause) {
+            return answer.chain[cause].step.kind == StepKind::magnetOff;
+        });
+        if (letsGo) {
+            EXPECT_EQ(step.kind, StepKind::contact) << told(answer);
+            EXPECT_EQ(step.objects, (std::vector<std::string>{"contact", "striker"}))
+                << "the striker reaches the bell by its momentum: " << told(answer);
+            EXPECT_TRUE(isSure(answer, i));
+            fallsBack = i;
+        }
+    }
+    ASSERT_LT(fallsBack, answer.chain.size());
+    ASSERT_LT(fallsBack + 1, answer.chain.size());
+    EXPECT_EQ(answer.chain[fallsBack + 1].step.kind, StepKind::on) << "and so it goes on";
+}
+
+// Other programs rely on the keys.
+TEST(WhyExperiments, TheJsonNamesWhatStoodInTheWayAndWhatWasCut) {
+    auto const missIn = [](std::string const& level, std::string const& solution) {
+        return toJson(answerIn(level, solution).nearest->nearest);
+    };
+    auto const wedge = missIn("2-doorbell", "a wedge in the way");
+    EXPECT_EQ(wedge["what"], "distance");
+    ASSERT_EQ(wedge["besides"].size(), 1U);
+    EXPECT_EQ(wedge["besides"][0]["what"], "blocked");
+    EXPECT_EQ(wedge["besides"][0]["objects"], nlohmann::ordered_json({"wooden wedge 1", "striker"}));
+    EXPECT_EQ(wedge["besides"][0]["if_gone"], "met");
+    auto const cut = missIn("1-switched-electromagnet", "cut the wire before the switch falls");
+    ASSERT_EQ(cut["besides"].size(), 1U);
+    nlohmann::ordered_json const& gap = cut["besides"][0];
+    EXPECT_EQ(gap["what"], "gap");
+    EXPECT_EQ(gap["if_closed"], "met");
+    EXPECT_GT(gap["frame"], cut["frame"]) << "the best moment of the circuit";
+    EXPECT_EQ(gap["gaps"][0]["reason"], "cut");
+    EXPECT_EQ(gap["gaps"][0]["width"], 0);
+}
+
+// The circuit is closed again and again, so that no gap is missing: without the wedge the bell rings.
 TEST(WhyExperiments, AWedgeIsWhyTheBellIsSilent) {
     Answer const answer = answerIn("2-doorbell", "a wedge in the way");
     EXPECT_FALSE(answer.happened);
     std::string const words = told(answer);
     EXPECT_NE(words.find("The striker came within"), std::string::npos) << words;
+    EXPECT_EQ(words.find("No current flowed"), std::string::npos) << words;
+    EXPECT_NE(words.find("Wooden wedge 1 stood in the way of the striker"), std::string::npos) << words;
+    EXPECT_NE(words.find("Without wooden wedge 1, the goal would have been met"), std::string::npos) << words;
+}
+
+// The switch closes the other gap while the clip still insulates the contact.
+TEST(WhyExperiments, AWoodenClipIsWhyNoCurrentFlows) {
+    Answer const answer = answerIn("2-doorbell", "a wooden clip on the contact");
+    EXPECT_FALSE(answer.happened);
+    std::string const words = told(answer);
+    EXPECT_NE(words.find("No current flowed through the electromagnet"), std::string::npos) << words;
     EXPECT_NE(words.find("between the contact and the striker"), std::string::npos) << words;
+    EXPECT_EQ(words.find("object 1 and object 2"), std::string::npos) << words;
+    EXPECT_EQ(words.find("and the switch"), std::string::npos) << words;
 }
 
 // Experiment III: "the sliding contact falls onto a spoke and closes a circuit through it", and opens it.
@@ -136,6 +261,15 @@ TEST(WhyExperiments, TheMotorsMagnetIsSwitchedByTheSlidingContact) {
     expectInOrder(off, {{StepKind::contact, {"sliding contact", "spoke 1"}},
                         {StepKind::off, {"EM-North"}},
                         {StepKind::magnetOff, {"EM-North"}}});
+}
+
+// "Put the stone block where the spokes have to pass."
+TEST(WhyExperiments, ABlockIsWhyTheMotorStops) {
+    Answer const answer = answerIn("3-electric-motor", "a block in its way");
+    EXPECT_FALSE(answer.happened);
+    std::string const words = told(answer);
+    EXPECT_NE(words.find("Block 1 stood in the way of spoke "), std::string::npos) << words;
+    EXPECT_NE(words.find("Without block 1, the goal would have been met"), std::string::npos) << words;
 }
 
 // Experiment IV: the floats are in the water.
