@@ -111,27 +111,6 @@ private:
     Vec2 lengthSum_; // of the entries so far
 };
 
-/// Whether an object of this name can have the field, as far as is known at the start of the run.
-bool concerns(World const& world, WatchedField const& field, std::string const& object) {
-    if (field.property->kind != PropertyKind::object) {
-        return field.ofWorld() == (object == "world");
-    }
-    ColumnBase const* const column = world.store().findColumn(*field.property);
-    return column != nullptr && column->has(world.store().find(object));
-}
-
-std::vector<std::string> objectNames(World const& world) {
-    std::vector<std::string> names;
-    ObjectTable const& objects = world.store().objects();
-    for (std::uint32_t index = 0; index < objects.indexBound(); ++index) {
-        if (ObjectId const id = objects.at(index); id.valid()) {
-            names.push_back(world.store().nameOf(id));
-        }
-    }
-    std::sort(names.begin(), names.end());
-    return names;
-}
-
 /// The object's name in "OBJECT.FIELD". Names may contain dots, so the longest existing name is taken. An
 /// object that does not exist yet may be created while the level runs if its name has the form of generated
 /// names.
@@ -246,6 +225,26 @@ std::vector<WatchedField const*> fieldsOf(World const& world, std::vector<Watche
 }
 
 } // namespace
+
+bool concerns(World const& world, WatchedField const& field, std::string const& object) {
+    if (field.property->kind != PropertyKind::object) {
+        return field.ofWorld() == (object == "world");
+    }
+    ColumnBase const* const column = world.store().findColumn(*field.property);
+    return column != nullptr && column->has(world.store().find(object));
+}
+
+std::vector<std::string> objectNames(World const& world) {
+    std::vector<std::string> names;
+    ObjectTable const& objects = world.store().objects();
+    for (std::uint32_t index = 0; index < objects.indexBound(); ++index) {
+        if (ObjectId const id = objects.at(index); id.valid()) {
+            names.push_back(world.store().nameOf(id));
+        }
+    }
+    std::sort(names.begin(), names.end());
+    return names;
+}
 
 std::size_t Watch::columns() const {
     return field_.type == FieldType::vector && field_.component < 0 ? 2 : 1;
