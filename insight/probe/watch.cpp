@@ -6,8 +6,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <stdexcept>
+#include <utility>
 
 namespace trembler::watch {
 namespace {
@@ -196,6 +198,16 @@ std::vector<WatchedField const*> fieldsOf(World const& world, std::vector<Watche
     return named.empty() ? known : named;
 }
 
+/// Everyday words, and the keys of fields that are called otherwise.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 4> everydayWords{
+    {{"voltage", "potential"}, {"volts", "potential"}, {"amperes", "current"}, {"watts", "power"}}};
+
+std::string_view keyFor(std::string_view word) {
+    auto const known = std::find_if(everydayWords.begin(), everydayWords.end(),
+                                    [word](auto const& each) { return each.first == word; });
+    return known == everydayWords.end() ? word : known->second;
+}
+
 /// Refuses a word that names no field, with the names of fields that may be meant.
 [[noreturn]] void refuse(World const& world, std::vector<WatchedField> const& fields,
                          std::string const& object, std::string_view word) {
@@ -214,7 +226,7 @@ std::vector<WatchedField const*> fieldsOf(World const& world, std::vector<Watche
         if (!field.numbered()) {
             words.push_back(field.key);
         }
-        if (name.starts_with(fmt::format("{}.", word)) || field.key == last) {
+        if (name.starts_with(fmt::format("{}.", word)) || field.key == last || field.key == keyFor(last)) {
             near.push_back(name);
         }
     }
