@@ -21,6 +21,7 @@ namespace {
 constexpr std::uint64_t handsOff = 3600; // frames, as `trembler verify` waits
 constexpr int substepsTried[] = {1, 2, 4, 8};
 
+/// µs per frame, by effect.
 std::map<std::string, double> timesOf(World const& world) {
     std::map<std::string, double> times;
     auto const frames = static_cast<double>(std::max<std::uint64_t>(1, world.frame()));
@@ -32,34 +33,42 @@ std::map<std::string, double> timesOf(World const& world) {
     return times;
 }
 
-/// Runs all recorded runs of the level; returns the first run that does not end as recorded.
-std::string firstDifference(LevelRuns const& runs, double& microseconds) {
-    double spent = 0;
+struct Outcome {
+    std::string differs;     ///< the first run that does not end as recorded
+    double microseconds = 0; ///< per frame, in the measured run
     std::uint64_t frames = 0;
-    auto const look = [&](LevelRun const& run) {
+};
+
+/// Runs all recorded runs of the level, which LevelRuns itself does not keep, and one without input. Measures
+/// the same run as effectCosts() for measuredRun(): the mean over all runs would be of another kind of frame,
+/// as nothing moves for most of the minute hands off, and such frames cost nearly nothing.
+Outcome outcomeOf(LevelRuns const& runs, LevelFile const& level) {
+    Outcome outcome;
+    RunObserver measuring;
+    measuring.end = [&outcome](LevelRun const& run) {
         for (auto const& [effect, time] : timesOf(run.world())) {
-            spent += time * static_cast<double>(run.world().frame());
+            outcome.microseconds += time;
         }
-        frames += run.world().frame();
+        outcome.frames = run.world().frame();
     };
-    RunObserver observer;
-    observer.end = look;
-    std::string difference;
-    RunResult const empty = runs.run({}, {.frames = handsOff}, observer);
+    std::size_t const measured = measuredRun(level);
+    auto const observerOf = [&](std::size_t index) { return index == measured ? measuring : RunObserver{}; };
+    RunResult const empty = runs.run({}, {.frames = handsOff}, observerOf(level.solutions.size()));
     if (empty.fault) {
-        return *empty.fault;
+        outcome.differs = *empty.fault;
+        return outcome;
     }
-    if (empty.solved != runs.level().demonstration) {
-        difference = "hands off";
+    if (empty.solved != level.demonstration) {
+        outcome.differs = "hands off";
     }
-    for (Solution const& solution : runs.level().solutions) {
-        RunResult const result = runs.run({solution, {}}, {.frames = framesOf(solution)}, observer);
-        if (result.solved != solution.solves && difference.empty()) {
-            difference = solution.name;
+    for (std::size_t i = 0; i < level.solutions.size(); ++i) {
+        Solution const& solution = level.solutions[i];
+        RunResult const result = runs.run({solution, {}}, {.frames = framesOf(solution)}, observerOf(i));
+        if (result.solved != solution.solves && outcome.differs.empty()) {
+            outcome.differs = solution.name;
         }
     }
-    microseconds = frames == 0 ? 0 : spent / static_cast<double>(frames);
-    return difference;
+    return outcome;
 }
 
 LevelFile withSubsteps(LevelFile level, int substeps) {
@@ -94,13 +103,19 @@ std::string everythingRecorded(LevelFile const& level) {
 
 } // namespace
 
+std::size_t measuredRun(LevelFile const& level) {
+    auto const first = std::find_if(level.solutions.begin(), level.solutions.end(),
+                                    [](Solution const& solution) { return solution.solves; });
+    return static_cast<std::size_t>(first - level.solutions.begin());
+}
+
 std::vector<EffectCost> effectCosts(LevelUnderTest const& level, Solution const& solution) {
     LevelRuns const runs(level.data(), level.level());
     std::vector<EffectCost> costs;
     RunObserver observer;
     observer.end = [&](LevelRun const& run) {
         for (auto const& [effect, time] : timesOf(run.world())) {
-            costs.push_back({effect, time});
+            costs.push_back({effect, time, run.world().frame()});
         }
     };
     (void)runs.run({solution, {}}, {.frames = framesOf(solution)}, observer);
@@ -129,12 +144,12 @@ std::vector<WayToCompute> waysToCompute(LevelUnderTest const& level, Workers& wo
     std::string const recorded = everythingRecorded(level.level());
     std::vector<std::string> keys;
     for (WayToCompute const& way : ways) {
-        keys.push_back(fmt::format("way/{}/{}/{}/{}", level.identity(), recorded, way.effect, way.level));
+        keys.push_back(
+            fmt::format("cost of a way/{}/{}/{}/{}", level.identity(), recorded, way.effect, way.level));
     }
     auto const results = workers.share(keys, [&](std::size_t index) {
         WayToCompute const& way = ways[index];
-        std::string difference;
-        double microseconds = 0;
+        Outcome outcome;
         try {
             std::map<std::string, std::string> detail;
             if (substeps[index] == 0) {
@@ -143,13 +158,13 @@ std::vector<WayToCompute> waysToCompute(LevelUnderTest const& level, Workers& wo
             LevelRuns const runs(
                 level.data(),
                 substeps[index] == 0 ? level.level() : withSubsteps(level.level(), substeps[index]), detail);
-            difference = firstDifference(runs, microseconds);
+            outcome = outcomeOf(runs, level.level());
         } catch (InputError const& error) {
-            difference = error.diagnostics().front().message;
+            outcome.differs = error.diagnostics().front().message;
         } catch (std::exception const& error) {
-            difference = error.what();
+            outcome.differs = error.what();
         }
-        return nlohmann::json{difference, microseconds}.dump();
+        return nlohmann::json{outcome.differs, outcome.microseconds, outcome.frames}.dump();
     });
     std::vector<WayToCompute> done;
     for (std::size_t index = 0; index < ways.size(); ++index) {
@@ -158,6 +173,7 @@ std::vector<WayToCompute> waysToCompute(LevelUnderTest const& level, Workers& wo
             ways[index].differs = parsed.at(0).get<std::string>();
             ways[index].keepsAll = ways[index].differs.empty();
             ways[index].microseconds = parsed.at(1).get<double>();
+            ways[index].frames = parsed.at(2).get<std::uint64_t>();
             done.push_back(ways[index]);
         }
     }

@@ -53,23 +53,21 @@ void Probes::look(World const& world, std::uint64_t frame) {
             ++next;
         }
     }
-    last_ = frame;
+    frames_.push_back(frame);
 }
 
 void Probes::forgetAfter(std::uint64_t frame) {
     for (Series& series : series_) {
         std::erase_if(series.samples, [frame](Sample const& sample) { return sample.frame > frame; });
     }
-    if (last_) {
-        last_ = std::min(*last_, frame);
-    }
+    std::erase_if(frames_, [frame](std::uint64_t each) { return each > frame; });
 }
 
 void Probes::clearSamples() {
     for (Series& series : series_) {
         series.samples.clear();
     }
-    last_.reset();
+    frames_.clear();
 }
 
 } // namespace trembler::insight

@@ -45,13 +45,17 @@ public:
     [[nodiscard]] std::span<watch::Watch const> watches() const { return watches_; }
     /// One for each number: a vector has two.
     [[nodiscard]] std::vector<Series> const& series() const { return series_; }
-    /// The last frame that look() was called for.
-    [[nodiscard]] std::optional<std::uint64_t> last() const { return last_; }
+    /// The frames that look() was called for, ascending.
+    [[nodiscard]] std::vector<std::uint64_t> const& frames() const { return frames_; }
+    /// The last frame that was looked at.
+    [[nodiscard]] std::optional<std::uint64_t> last() const {
+        return frames_.empty() ? std::nullopt : std::optional(frames_.back());
+    }
 
 private:
     std::vector<watch::Watch> watches_;
     std::vector<Series> series_; // in the order of watches_
-    std::optional<std::uint64_t> last_;
+    std::vector<std::uint64_t> frames_;
 };
 
 } // namespace trembler::insight

@@ -6,8 +6,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <stdexcept>
+#include <utility>
 
 namespace trembler::watch {
 namespace {
@@ -111,27 +113,6 @@ private:
     Vec2 lengthSum_; // of the entries so far
 };
 
-/// Whether an object of this name can have the field, as far as is known at the start of the run.
-bool concerns(World const& world, WatchedField const& field, std::string const& object) {
-    if (field.property->kind != PropertyKind::object) {
-        return field.ofWorld() == (object == "world");
-    }
-    ColumnBase const* const column = world.store().findColumn(*field.property);
-    return column != nullptr && column->has(world.store().find(object));
-}
-
-std::vector<std::string> objectNames(World const& world) {
-    std::vector<std::string> names;
-    ObjectTable const& objects = world.store().objects();
-    for (std::uint32_t index = 0; index < objects.indexBound(); ++index) {
-        if (ObjectId const id = objects.at(index); id.valid()) {
-            names.push_back(world.store().nameOf(id));
-        }
-    }
-    std::sort(names.begin(), names.end());
-    return names;
-}
-
 /// The object's name in "OBJECT.FIELD". Names may contain dots, so the longest existing name is taken. An
 /// object that does not exist yet may be created while the level runs if its name has the form of generated
 /// names.
@@ -217,6 +198,16 @@ std::vector<WatchedField const*> fieldsOf(World const& world, std::vector<Watche
     return named.empty() ? known : named;
 }
 
+/// Everyday words, and the keys of fields that are called otherwise.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 4> everydayWords{
+    {{"voltage", "potential"}, {"volts", "potential"}, {"amperes", "current"}, {"watts", "power"}}};
+
+std::string_view keyFor(std::string_view word) {
+    auto const known = std::find_if(everydayWords.begin(), everydayWords.end(),
+                                    [word](auto const& each) { return each.first == word; });
+    return known == everydayWords.end() ? word : known->second;
+}
+
 /// Refuses a word that names no field, with the names of fields that may be meant.
 [[noreturn]] void refuse(World const& world, std::vector<WatchedField> const& fields,
                          std::string const& object, std::string_view word) {
@@ -235,7 +226,7 @@ std::vector<WatchedField const*> fieldsOf(World const& world, std::vector<Watche
         if (!field.numbered()) {
             words.push_back(field.key);
         }
-        if (name.starts_with(fmt::format("{}.", word)) || field.key == last) {
+        if (name.starts_with(fmt::format("{}.", word)) || field.key == last || field.key == keyFor(last)) {
             near.push_back(name);
         }
     }
@@ -246,6 +237,26 @@ std::vector<WatchedField const*> fieldsOf(World const& world, std::vector<Watche
 }
 
 } // namespace
+
+bool concerns(World const& world, WatchedField const& field, std::string const& object) {
+    if (field.property->kind != PropertyKind::object) {
+        return field.ofWorld() == (object == "world");
+    }
+    ColumnBase const* const column = world.store().findColumn(*field.property);
+    return column != nullptr && column->has(world.store().find(object));
+}
+
+std::vector<std::string> objectNames(World const& world) {
+    std::vector<std::string> names;
+    ObjectTable const& objects = world.store().objects();
+    for (std::uint32_t index = 0; index < objects.indexBound(); ++index) {
+        if (ObjectId const id = objects.at(index); id.valid()) {
+            names.push_back(world.store().nameOf(id));
+        }
+    }
+    std::sort(names.begin(), names.end());
+    return names;
+}
 
 std::size_t Watch::columns() const {
     return field_.type == FieldType::vector && field_.component < 0 ? 2 : 1;

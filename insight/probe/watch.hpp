@@ -50,4 +50,9 @@ inline constexpr int lengthComponent = 2;
 /// suggests similar names or lists all of them.
 [[nodiscard]] Watch find(World const& world, std::vector<WatchedField> const& fields, std::string_view what);
 
+/// Whether an object of this name, or "world", can have the field, as far as is known now.
+[[nodiscard]] bool concerns(World const& world, WatchedField const& field, std::string const& object);
+/// The names of all objects, sorted.
+[[nodiscard]] std::vector<std::string> objectNames(World const& world);
+
 } // namespace trembler::watch

@@ -223,9 +223,8 @@ LevelCosts costsOf(LevelUnderTest const& level, Workers& workers) {
     LevelCosts measured;
     measured.ways = waysToCompute(level, workers);
     std::vector<Solution> const& solutions = level.level().solutions;
-    auto const first = std::find_if(solutions.begin(), solutions.end(),
-                                    [](Solution const& solution) { return solution.solves; });
-    measured.costs = effectCosts(level, first == solutions.end() ? Solution{} : *first);
+    std::size_t const run = measuredRun(level.level());
+    measured.costs = effectCosts(level, run == solutions.size() ? Solution{} : solutions[run]);
     return measured;
 }
 

@@ -228,11 +228,13 @@ std::string toWords(LevelReport const& report) {
         }
     }
     if (!report.costs.empty()) {
+        double all = 0;
         text += "  cost per frame:";
         for (EffectCost const& cost : report.costs) {
             text += fmt::format(" {} {:.1f} us", cost.effect, cost.microseconds);
+            all += cost.microseconds;
         }
-        text += "\n";
+        text += fmt::format("; {:.1f} us in all\n", all);
     }
     if (!report.ways.empty()) {
         text += "  the cheapest that keeps every verdict:\n" + cheapestWays(report);

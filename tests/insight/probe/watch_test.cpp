@@ -277,6 +277,18 @@ TEST_F(WatchTest, UnknownNamesAreReportedWithSimilarOnes) {
     says("king of hearts.position", "there is no object 'king of hearts'");
 }
 
+// An electromagnet has no field "voltage"; the volts are the potential.
+TEST_F(WatchTest, EverydayWordsLeadToTheirFields) {
+    open("1-switched-electromagnet.json");
+    for (auto const& [word, field] : {std::pair("voltage", "'electrical_quantities.potential'"),
+                                      {"amperes", "'electrical_quantities.current'"},
+                                      {"watts", "'electrical_quantities.power'"}}) {
+        std::string const said = refusalOf(std::string("electromagnet.") + word);
+        EXPECT_NE(said.find("see "), std::string::npos) << said;
+        EXPECT_NE(said.substr(0, said.find("; it has")).find(field), std::string::npos) << said;
+    }
+}
+
 TEST_F(WatchTest, ElementsAndComponentsHaveColumnsOfTheirOwn) {
     open(level(R"("world": {"gravity": [0, -9.81]}, )",
                R"({"name": "floor", "at": [1, -0.5], "properties": {"fixed": true,

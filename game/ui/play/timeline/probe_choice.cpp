@@ -21,6 +21,8 @@ using namespace render;
 constexpr float choiceWidth = 300;
 constexpr float choiceHeight = 250;
 
+constexpr std::size_t mostFound = 40; ///< rows of a search: no part of a name floods the list
+
 struct Usual {
     Phrase name;
     char const* field;
@@ -87,26 +89,69 @@ std::vector<Quantity> ProbePanel::quantitiesOf(World const& world, std::string c
     return all;
 }
 
+watch::NamedNumbers ProbePanel::quantitiesNamed(World const& world, std::string const& object) const {
+    return watch::namedNumbers(world, fields_, object, word_.data(), mostFound);
+}
+
+void ProbePanel::drawBox(Layout& layout, World const& world, std::string const& name,
+                         std::string const& what) {
+    bool on = probes_.has(what);
+    if (render::checkBox((name + "##" + what).c_str(), &on)) {
+        toggle(world, what);
+    }
+    layout.item("plot " + what);
+}
+
+void ProbePanel::drawQuantities(Layout& layout, World const& world, std::string const& object) {
+    for (Quantity const& quantity : quantitiesOf(world, object)) {
+        drawBox(layout, world, quantity.name, quantity.what);
+    }
+}
+
+void ProbePanel::drawFound(Layout& layout, World const& world, std::string const& object) {
+    watch::NamedNumbers const named = quantitiesNamed(world, object);
+    for (std::string const& what : named.found) {
+        drawBox(layout, world, what, what);
+    }
+    if (named.more > 0) {
+        caption(textWith("{} more: a longer word finds fewer.", named.more).c_str());
+    } else if (named.found.empty()) {
+        caption(named.similar.empty() ? text("No number has such a name.")
+                                      : text("No number has such a name; similar:"));
+        for (std::string const& what : named.similar) {
+            if (ImGui::Selectable(what.c_str())) {
+                word_.fill('\0');
+                std::copy_n(what.begin(), std::min(what.size(), word_.size() - 1), word_.begin());
+            }
+            layout.item("similar " + what);
+        }
+    }
+}
+
 std::string ProbePanel::drawChoice(Layout& layout, World const& world, std::string const& object,
                                    float above) {
     findFields();
     std::string wanted;
     layout.beginCard("probe choice", text("Plot"),
                      {.anchor = Anchor::BottomLeft, .offset = {cardGap, above}, .width = choiceWidth});
-    if (object.empty()) {
+    ImGui::SetNextItemWidth(-1);
+    ImGui::InputTextWithHint("##word", text("Find a number by its name"), word_.data(), word_.size());
+    layout.item("find a number");
+    bool const typed = word_.front() != '\0';
+    if (object.empty() && !typed) {
         caption(text("Click on an object: then its numbers are listed here."));
     } else {
-        ImGui::PushFont(theme().fonts.strong);
-        ImGui::TextUnformatted(shownName(object).c_str());
-        ImGui::PopFont();
+        if (!object.empty()) {
+            ImGui::PushFont(theme().fonts.strong);
+            ImGui::TextUnformatted(shownName(object).c_str());
+            ImGui::PopFont();
+        }
         ImGui::PushStyleColor(ImGuiCol_ChildBg, ImVec4(0, 0, 0, 0));
         ImGui::BeginChild("quantities", {0, scaled(choiceHeight - 110)});
-        for (Quantity const& quantity : quantitiesOf(world, object)) {
-            bool on = probes_.has(quantity.what);
-            if (render::checkBox((quantity.name + "##" + quantity.what).c_str(), &on)) {
-                toggle(quantity.what);
-            }
-            layout.item("plot " + quantity.what);
+        if (typed) {
+            drawFound(layout, world, object);
+        } else {
+            drawQuantities(layout, world, object);
         }
         ImGui::EndChild();
         ImGui::PopStyleColor();

@@ -5,8 +5,6 @@
 #include "insight/probe/watch_table.hpp"
 #include "runtime/level/json/diagnostic.hpp"
 
-#include <set>
-
 namespace trembler::ui {
 namespace {
 
@@ -52,6 +50,10 @@ void ProbePanel::findFields() {
 }
 
 void ProbePanel::toggle(std::string const& what) {
+    toggle(session_.world(), what);
+}
+
+void ProbePanel::toggle(World const& world, std::string const& what) {
     findFields();
     if (probes_.has(what)) {
         probes_.remove(what);
@@ -59,7 +61,7 @@ void ProbePanel::toggle(std::string const& what) {
         return;
     }
     for (insight::Probes* const probes : {&probes_, &other_}) {
-        probes->add(session_.world(), fields_, what);
+        probes->add(world, fields_, what);
         probes->clearSamples(); // all are read again, together
     }
 }
@@ -94,14 +96,8 @@ void ProbePanel::forgetOther() {
 
 std::string ProbePanel::csv() const {
     std::string all = watch::csvHeader(probes_.watches()) + "\n";
-    std::set<std::uint64_t> frames;
-    for (Series const& series : probes_.series()) {
-        for (insight::Sample const& sample : series.samples) {
-            frames.insert(sample.frame);
-        }
-    }
     std::vector<std::size_t> next(probes_.series().size(), 0);
-    for (std::uint64_t const frame : frames) {
+    for (std::uint64_t const frame : probes_.frames()) { // a row without values, too, as in a WatchTable
         std::vector<watch::Cell> row(next.size());
         for (std::size_t i = 0; i < next.size(); ++i) {
             auto const& samples = probes_.series()[i].samples;

@@ -3,8 +3,10 @@
 
 #include "game/ui/play/timeline/timeline.hpp"
 #include "game/ui/shared/layout.hpp"
+#include "insight/probe/named_numbers.hpp"
 #include "insight/probe/series.hpp"
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,11 +28,15 @@ public:
 
     /// Adds or removes a probe of that name, see watch::find().
     void toggle(std::string const& what);
+    /// The same for a name of an object in that world, which may be gone from the session's.
+    void toggle(World const& world, std::string const& what);
     void removeAll();
     [[nodiscard]] insight::Probes const& probes() const { return probes_; }
     /// The quantities of an object of the shown world that can be plotted: the usual quantities that it has,
     /// then all its numbers.
     [[nodiscard]] std::vector<Quantity> quantitiesOf(World const& world, std::string const& object) const;
+    /// The quantities whose name contains the word that the player has typed, see watch::namedNumbers().
+    [[nodiscard]] watch::NamedNumbers quantitiesNamed(World const& world, std::string const& object) const;
 
     /// Reads on in the recording; true if frames were read, so that there is something new to see.
     bool read(insight::Recording const& recording);
@@ -66,7 +72,11 @@ private:
     insight::Stage stage_;
     insight::Stage otherStage_;
     bool choosing_ = false;
+    std::array<char, 128> word_{}; // that the player has typed to find a number
     void findFields();
+    void drawQuantities(Layout& layout, World const& world, std::string const& object);
+    void drawFound(Layout& layout, World const& world, std::string const& object);
+    void drawBox(Layout& layout, World const& world, std::string const& name, std::string const& what);
 };
 
 } // namespace trembler::ui

@@ -1,10 +1,20 @@
 // Viewing the past of a run, and continuing from any moment of it, with real input events.
 #include "game/ui/play/timeline/probe_panel.hpp"
 #include "game/ui/play/timeline/timeline.hpp"
+#include "insight/probe/watch_table.hpp"
+#include "insight/run/level_runs.hpp"
+#include "runtime/level/read/read_level.hpp"
 #include "runtime/placement.hpp"
+#include "tests/game/ui/drawn_words.hpp"
 #include "tests/game/ui/player.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <fstream>
 #include <map>
+#include <sstream>
 
 namespace trembler::ui::test {
 namespace timeline_test {
@@ -218,6 +228,100 @@ TEST(Probes, AreChosenPlottedAndWritten) {
         player.clickItem("plots"); // the middle of the plots is about the middle of the run
         EXPECT_NE(timeline.frame(), 40U);
         std::filesystem::remove_all(player.films());
+    }
+}
+
+/// What `trembler run --watch ... --csv` writes for the first frames of a recorded run.
+std::string tableOf(Solution const& recorded, std::vector<std::string> const& what, std::uint64_t frames) {
+    insight::LevelRuns const runs(gameData(), loadLevel(gameData().registry, firstContact));
+    std::ostringstream out;
+    std::unique_ptr<watch::WatchTable> table;
+    insight::RunObserver observer;
+    observer.begin = [&](LevelRun const& run) {
+        table = std::make_unique<watch::WatchTable>(gameData().registry, run.world(), what, 1, out);
+        table->look(run.world());
+    };
+    observer.frame = [&](LevelRun const& run) {
+        table->look(run.world());
+        return true;
+    };
+    observer.end = [&](LevelRun const&) { table.reset(); };
+    EXPECT_FALSE(runs.run({recorded, {}}, {.frames = frames, .stopWhenSolved = false}, observer).fault);
+    return out.str();
+}
+
+// Whole vectors, a number of the world, a length of a list, an element of one, and a device that has no value
+// in the first frame.
+TEST(Probes, AreWrittenAsTheTableOfTheCommandLine) {
+    Player player;
+    runFirstContact(player, 90);
+    player.key(SDLK_F4);
+    std::vector<std::string> const what{"electromagnet.electrical_state.on", "iron ball.position",
+                                        "world.gravity.y", "world.contacts.current.count",
+                                        "steel bar 1.shape.0.width"};
+    for (std::string const& each : what) {
+        player.play().timeline().probes().toggle(each);
+    }
+    player.frames(6);
+    player.clickItem("save csv");
+    std::ifstream in(player.films() / "plot-1.csv", std::ios::binary);
+    std::stringstream written;
+    written << in.rdbuf();
+    EXPECT_EQ(written.str(), tableOf(player.session().record("it"), what, 90));
+    std::filesystem::remove_all(player.films());
+}
+
+TEST(Probes, AreFoundByTheirNames) {
+    Player player;
+    runFirstContact(player, 30);
+    player.key(SDLK_F4);
+    player.frames(2);
+    player.clickItem("find a number");
+    render::pushText(window(), "current.count");
+    player.frames(3);
+    player.look("probe-found");
+    ASSERT_TRUE(player.shows("plot world.contacts.current.count")) << "although no object is selected";
+    player.clickItem("plot world.contacts.current.count");
+    player.frames(3);
+    auto const& series = player.play().timeline().probes().probes().series();
+    ASSERT_EQ(series.size(), 1U);
+    EXPECT_EQ(series[0].samples.size(), 31U);
+    EXPECT_GT(series[0].samples.back().value, 0) << "the bar lies on the contacts";
+    player.clickItem("find a number");
+    player.key(SDLK_a, KMOD_LCTRL);
+    render::pushText(window(), "world.gravty");
+    player.frames(3);
+    EXPECT_FALSE(player.shows("plot world.gravity"));
+    player.look("probe-similar");
+    player.clickItem("similar world.gravity");
+    player.frames(3);
+    EXPECT_TRUE(player.shows("plot world.gravity"));
+}
+
+// Beside the plot, the value in the frame to which the cursor is set.
+TEST(Probes, TheCursorReadsThemOut) {
+    Player player;
+    runFirstContact(player, 90);
+    player.key(SDLK_k);
+    Timeline& timeline = player.play().timeline();
+    timeline.probes().toggle("iron ball.position.y");
+    player.frames(6);
+    ObjectId const ball = player.session().world().store().find("iron ball");
+    std::string earlier;
+    for (std::uint64_t const frame : {20U, 90U}) {
+        timeline.seek(frame);
+        player.frames(3);
+        (void)player.look("probe-cursor"); // draws the words
+        double const height = timeline.world().find<Position>(ball)->value.y;
+        std::string const shown = fmt::format("{:.3f} iron ball: Height", height);
+        std::vector<std::string> const lines = DrawnWords().lines();
+        EXPECT_TRUE(
+            std::any_of(lines.begin(), lines.end(),
+                        [&](std::string const& line) { return line.find(shown) != std::string::npos; }))
+            << shown << "\n"
+            << fmt::format("{}", fmt::join(lines, "\n"));
+        EXPECT_NE(shown, earlier) << "the ball moves";
+        earlier = shown;
     }
 }
 
