@@ -7,6 +7,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <set>
+
 namespace trembler::insight {
 namespace words_tests {
 namespace {
@@ -153,6 +155,33 @@ TEST(Words, TheForcesAreThoseOfTheMomentAtWhichItCeasedToHold) {
     auto const& told = made.at("nearest_miss").at("besides").at(0);
     EXPECT_EQ(told.at("frame"), 90);
     EXPECT_EQ(told.at("besides").at(0).at("frame"), 72);
+}
+
+TEST(Words, EveryKindOfMissHasTheKeysOnWhichProgramsRely) {
+    std::set<std::string> kinds;
+    for (int i = 0; i <= static_cast<int>(Lack::change); ++i) {
+        auto const lack = static_cast<Lack>(i);
+        nlohmann::ordered_json const made = toJson(lacking(lack, 2, 60, {"ball", "bell"}));
+        for (std::string const key : {"frame", "what", "by", "unit", "measure", "objects"}) {
+            EXPECT_TRUE(made.contains(key)) << nameOf(lack) << ": " << key;
+        }
+        EXPECT_EQ(made["what"], nameOf(lack));
+        EXPECT_EQ(made["unit"], unitOf(lack));
+        EXPECT_EQ(made.contains("too_many"), lack == Lack::count);
+        kinds.insert(made["what"].get<std::string>());
+    }
+    EXPECT_EQ(kinds.size(), static_cast<std::size_t>(Lack::change) + 1);
+    Miss cut = lacking(Lack::gap, 0, 60, {"magnet"});
+    cut.gaps.resize(1);
+    cut.gaps.front().reason = GapReason::cut;
+    cut.gaps.front().nameA = "battery";
+    cut.gaps.front().nameB = "magnet";
+    EXPECT_EQ(toJson(cut)["gaps"][0]["reason"], "cut");
+    Miss blocked = lacking(Lack::blocked, 1, 60, {"wedge", "striker"});
+    EXPECT_FALSE(toJson(blocked).contains("if_gone"));
+    blocked.ifClosed = IfClosed::nearer;
+    EXPECT_EQ(toJson(blocked)["if_gone"], "nearer");
+    EXPECT_FALSE(toJson(blocked).contains("if_closed"));
 }
 
 } // namespace
