@@ -1,12 +1,14 @@
 #include "insight/timeline/marks.hpp"
 
 #include "audio/effect/properties/sounds.hpp"
+#include "physics/buoyancy/properties/results.hpp"
 #include "physics/dynamics/properties/contacts.hpp"
 #include "physics/dynamics/properties/motion_causes.hpp"
 #include "physics/electricity/properties/electrical.hpp"
 #include "physics/electricity/properties/ratings.hpp"
 #include "physics/magnetism/properties.hpp"
 #include "runtime/input/input_resolver.hpp"
+#include "runtime/placement.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -22,22 +24,31 @@ void Marks::clear() {
     marks_.clear();
     latest_.clear();
     blown_.clear();
+    earlier_.reset();
 }
 
 void Marks::forgetAfter(std::uint64_t frame) {
     std::erase_if(marks_, [frame](Mark const& mark) { return mark.frame > frame; });
     std::erase_if(latest_, [frame](auto const& each) { return each.second > frame; });
     blown_.clear();
+    earlier_.reset();
 }
 
 void Marks::look(World const& world, GoalJudge const& judge) {
     if (!marks_.empty() && world.frame() <= marks_.back().frame) {
+        remember(world);
         return; // it was seen before the run was begun again
     }
     lookAtContacts(world);
     lookAtElectricity(world);
     lookAtSounds(world);
     lookAtBreaks(world);
+    if (earlier_) {
+        lookAtHits(world);
+        lookAtLiquids(world);
+        lookAtMagnets(world);
+    }
+    remember(world);
     if (auto const* const commands = world.find<PlayerCommands>()) {
         for (PlayerCommands::Cut const& cut : commands->cuts) {
             add(world, MarkKind::cut, {cut.a, cut.b}, cut.event);
@@ -142,6 +153,82 @@ void Marks::lookAtBreaks(World const& world) {
             add(world, MarkKind::broken, {owner}, {});
         }
         at->second = blown;
+    }
+}
+
+void Marks::remember(World const& world) {
+    Earlier now;
+    auto const* const velocities = world.store().findColumn<Velocity>();
+    for (std::size_t row = 0; velocities != nullptr && row < velocities->size(); ++row) {
+        Vec2 const velocity = velocities->values()[row].value;
+        if (velocity != Vec2{}) {
+            now.velocities.emplace(velocities->owners()[row], velocity);
+        }
+    }
+    if (auto const* const immersions = world.find<Immersions>()) {
+        for (Immersions::Entry const& entry : immersions->entries) {
+            if (entry.liquid.valid()) { // not the air
+                now.dips.emplace(entry.object, entry.liquid);
+            }
+        }
+    }
+    auto const* const magnets = world.store().findColumn<Magnet>();
+    for (std::size_t row = 0; magnets != nullptr && row < magnets->size(); ++row) {
+        now.magnets.emplace(magnets->owners()[row], magnets->values()[row].on);
+    }
+    earlier_ = std::move(now);
+}
+
+void Marks::lookAtHits(World const& world) {
+    auto const* const contacts = world.find<Contacts>();
+    if (contacts == nullptr) {
+        return;
+    }
+    auto const velocityOf = [this](ObjectId object) {
+        auto const at = earlier_->velocities.find(object);
+        return at == earlier_->velocities.end() ? Vec2{} : at->second;
+    };
+    auto const conducts = [&](ObjectId object) { return world.find<Conductor>(object) != nullptr; };
+    for (auto const* const pairs : {&contacts->begun, &contacts->brief}) {
+        for (TouchingPair const& pair : *pairs) {
+            std::string const a = world.store().nameOf(pair.a);
+            std::string const b = world.store().nameOf(pair.b);
+            bool const isMarked = latest_.contains({MarkKind::hit, {a, b, ""}});
+            bool const isFast = length(velocityOf(pair.a) - velocityOf(pair.b)) >= leastSpeed;
+            if (isFast && !isMarked && !(conducts(pair.a) && conducts(pair.b))) {
+                add(world, MarkKind::hit, {pair.a, pair.b}, pair.event);
+            }
+        }
+    }
+}
+
+void Marks::lookAtLiquids(World const& world) {
+    auto const* const immersions = world.find<Immersions>();
+    if (immersions == nullptr) {
+        return;
+    }
+    std::set<std::pair<ObjectId, ObjectId>> left = earlier_->dips;
+    for (Immersions::Entry const& entry : immersions->entries) {
+        if (entry.liquid.valid() && left.erase({entry.object, entry.liquid}) == 0) {
+            add(world, MarkKind::dips, {entry.object, entry.liquid}, entry.event);
+        }
+    }
+    for (auto const& [object, liquid] : left) {
+        if (world.store().alive(object) && world.store().alive(liquid)) {
+            add(world, MarkKind::leaves, {object, liquid}, {});
+        }
+    }
+}
+
+void Marks::lookAtMagnets(World const& world) {
+    auto const* const magnets = world.store().findColumn<Magnet>();
+    for (std::size_t row = 0; magnets != nullptr && row < magnets->size(); ++row) {
+        ObjectId const owner = magnets->owners()[row];
+        bool const on = magnets->values()[row].on;
+        auto const before = earlier_->magnets.find(owner);
+        if (before != earlier_->magnets.end() && before->second != on) {
+            add(world, on ? MarkKind::magnetOn : MarkKind::magnetOff, {owner}, {});
+        }
     }
 }
 

@@ -8,6 +8,8 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -15,18 +17,23 @@
 namespace trembler::insight {
 
 enum class MarkKind : std::uint8_t {
-    contact, ///< two conductors began to touch
-    parted,  ///< two conductors ceased to touch
-    on,      ///< a device or an electromagnet was switched on
-    off,     ///< and off
-    sound,   ///< a body began to sound
-    broken,  ///< a joint gave way, or a fuse
-    cut,     ///< the player cut a wire, or removed an object
-    goal,    ///< a goal was met for the first time
+    contact,   ///< two conductors began to touch
+    parted,    ///< two conductors ceased to touch
+    on,        ///< a device or an electromagnet was switched on
+    off,       ///< and off
+    sound,     ///< a body began to sound
+    broken,    ///< a joint gave way, or a fuse
+    cut,       ///< the player cut a wire, or removed an object
+    goal,      ///< a goal was met for the first time
+    hit,       ///< two objects, not both conductors, touched for the first time, at Marks::leastSpeed or more
+    dips,      ///< an object began to dip into a liquid: the object, the liquid
+    leaves,    ///< and left it
+    magnetOn,  ///< an object became a magnet
+    magnetOff, ///< and ceased to be one, or began to cool down
 };
 
 /// The number of kinds.
-inline constexpr std::size_t markKinds = 8;
+inline constexpr std::size_t markKinds = 13;
 
 struct Mark {
     std::uint64_t frame = 0;
@@ -48,6 +55,9 @@ public:
     static constexpr std::uint64_t quiet = 15;
     /// A body that becomes this loud is marked, dB(A) at 1 m.
     static constexpr double leastLevel = 40;
+    /// m/s between the centres of two objects in the frame before they touch. Slower touches, and later ones
+    /// of the same two, are not marked: objects that roll, slide and settle touch all the time.
+    static constexpr double leastSpeed = 1;
 
     /// After each frame.
     void look(World const& world, GoalJudge const& judge);
@@ -68,10 +78,21 @@ private:
     void lookAtElectricity(World const& world);
     void lookAtSounds(World const& world);
     void lookAtBreaks(World const& world);
+    void lookAtHits(World const& world);
+    void lookAtLiquids(World const& world);
+    void lookAtMagnets(World const& world);
+    void remember(World const& world);
 
     std::vector<Mark> marks_;
     std::map<Key, std::uint64_t> latest_; // frame of the last such thing, marked or not
     std::map<std::string, bool> blown_;   // fuses
+    // The frame before, if it was looked at.
+    struct Earlier {
+        std::map<ObjectId, Vec2> velocities; // m/s, of moving objects
+        std::set<std::pair<ObjectId, ObjectId>> dips;
+        std::map<ObjectId, bool> magnets;
+    };
+    std::optional<Earlier> earlier_;
 };
 
 } // namespace trembler::insight

@@ -35,14 +35,19 @@ struct MarkLook {
 
 /// By MarkKind.
 constexpr std::array<MarkLook, insight::markKinds> looks{{
-    {"Contact", Icon::Contact, &palette::ink, 3},
-    {"Contact opened", Icon::Contact, &palette::deadWire, 2},
-    {"On", Icon::Bolt, &palette::northPole, 5},
-    {"Off", Icon::Bolt, &palette::deadWire, 4},
-    {"Sound", Icon::Record, &palette::sound, 1},
-    {"Broken", Icon::Cross, &palette::warning, 7},
-    {"Cut through", Icon::Scissors, &palette::warning, 6},
-    {"Goal reached", Icon::Tick, &palette::goal, 8},
+    {"Contact", Icon::Contact, &palette::ink, 4},
+    {"Contact opened", Icon::Contact, &palette::deadWire, 3},
+    {"On", Icon::Bolt, &palette::northPole, 10},
+    {"Off", Icon::Bolt, &palette::deadWire, 5},
+    {"Sound", Icon::Record, &palette::sound, 2},
+    {"Broken", Icon::Cross, &palette::warning, 12},
+    {"Cut through", Icon::Scissors, &palette::warning, 11},
+    {"Goal reached", Icon::Tick, &palette::goal, 13},
+    {"First touch", Icon::Plus, &palette::contact, 1},
+    {"Into the liquid", Icon::Record, &palette::water, 7},
+    {"Out of the liquid", Icon::Record, &palette::deadWire, 6},
+    {"Magnetic", Icon::Magnet, &palette::northPole, 9},
+    {"No longer magnetic", Icon::Magnet, &palette::deadWire, 8},
 }};
 
 MarkLook const& lookOf(Mark const& mark) {

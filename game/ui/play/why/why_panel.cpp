@@ -16,6 +16,7 @@ using insight::StepKind;
 std::vector<StepKind> kindsOf(MarkKind kind) {
     switch (kind) {
     case MarkKind::contact:
+    case MarkKind::hit:
         return {StepKind::contact};
     case MarkKind::parted:
         return {StepKind::apart};
@@ -27,6 +28,13 @@ std::vector<StepKind> kindsOf(MarkKind kind) {
         return {StepKind::contact, StepKind::on, StepKind::other};
     case MarkKind::cut:
         return {StepKind::cut, StepKind::removed};
+    case MarkKind::dips:
+        return {StepKind::liquid};
+    case MarkKind::magnetOn:
+        return {StepKind::magnetOn};
+    case MarkKind::magnetOff:
+        return {StepKind::magnetOff};
+    case MarkKind::leaves:
     case MarkKind::broken:
     case MarkKind::goal:
         break;

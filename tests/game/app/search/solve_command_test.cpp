@@ -51,6 +51,21 @@ protected:
     std::string const good = levelFile("first/1-first-contact.json").string();
 };
 
+// As many runs as fit into the time, which are the first of a search with that number of runs.
+TEST_F(SolveCommand, SearchesForMinutes) {
+    Ran const brief = runProgram({"solve", good, "--minutes", "0.01", "--frames", "600", "--json"});
+    ASSERT_LT(brief.status, 2) << brief.err;
+    json const all = json::parse(brief.out);
+    EXPECT_EQ(all["complete"], false);
+    json const whole = json::parse(runProgram(solve({"--json"})).out);
+    EXPECT_EQ(whole["complete"], true);
+    if (!all["first_solved_run"].is_null()) { // on a busy machine the time may end before
+        EXPECT_EQ(all["first_solved_run"], whole["first_solved_run"]);
+    }
+    EXPECT_EQ(timeless(runProgram(solve({"--json", "--minutes", "1000"})).out), timeless(whole.dump()))
+        << "the runs end first";
+}
+
 // Its keys are those of docs/solving.md.
 TEST_F(SolveCommand, FindsSolutionsThatRun) {
     Ran const ran = runProgram(solve({"--json", "--keep", at("kept"), "--threads", "2"}));

@@ -132,6 +132,24 @@ TEST_F(SharedOut, AReportIsTheSameInAnyNumberOfProcesses) {
     EXPECT_EQ(shared(3, arguments), expected);
 }
 
+TEST_F(SharedOut, AReportThatWasCutOffGoesOn) {
+    std::string const arguments =
+        fmt::format("report '{}' --runs 8 --drops 4 --brief --resume '{}'", good, at("report.jsonl"));
+    std::string const whole = shared(2, arguments);
+    std::string const first = cutInTheMiddle(at("report.jsonl"));
+    std::string const second = cutInTheMiddle(at("report.jsonl.1"));
+    EXPECT_EQ(shared(3, arguments), whole) << "by another number of processes";
+    EXPECT_EQ(contentsOf(at("report.jsonl")).substr(0, first.size()), first);
+    EXPECT_EQ(contentsOf(at("report.jsonl.1")).substr(0, second.size()), second);
+    std::vector<std::string> works = finishedWork(at("report.jsonl"));
+    for (char const* const other : {"report.jsonl.1", "report.jsonl.2"}) {
+        std::vector<std::string> const more = finishedWork(at(other));
+        works.insert(works.end(), more.begin(), more.end());
+    }
+    std::sort(works.begin(), works.end());
+    EXPECT_EQ(std::adjacent_find(works.begin(), works.end()), works.end()) << "nothing was computed twice";
+}
+
 TEST_F(SharedOut, AVerdictIsTheSameInAnyNumberOfProcesses) {
     // One level that is valid, and one whose solution does not solve it.
     json broken = json::parse(contentsOf(good));

@@ -49,6 +49,43 @@ TEST(InspectorWhy, GivesTheAnswerThatTheKeyGives) {
     EXPECT_EQ(answered(player), byMouse);
 }
 
+/// Clicks on an object of a run that goes on, and asks why; the words of the answer in one line.
+std::string askedWhileItRuns(Player& player, std::string const& object) {
+    World const& world = player.session().world();
+    EXPECT_EQ(player.session().mode(), SessionMode::running);
+    player.click(player.at(world.find<Position>(world.store().find(object))->value));
+    player.frames(2);
+    EXPECT_TRUE(player.showsCard("inspector")) << object;
+    player.clickItem("why object");
+    std::string all;
+    for (std::string const& line : answered(player)) {
+        all += line + " ";
+    }
+    EXPECT_EQ(player.session().mode(), SessionMode::running) << "it goes on meanwhile";
+    return all;
+}
+
+TEST(InspectorWhy, AsksAboutALitLampWhileItRuns) {
+    Player player;
+    player.open(levelsFolder() / "2-electricity/1-both-gaps.json");
+    player.session().load(*player.session().level().findSolution("a bar and a spanner"));
+    player.key(SDLK_SPACE);
+    player.simulate(100);
+    std::string const answer = askedWhileItRuns(player, "road lamp");
+    EXPECT_NE(answer.find("The road lamp is lit."), std::string::npos) << answer;
+    EXPECT_NE(answer.find("ou laid"), std::string::npos) << answer;
+}
+
+TEST(InspectorWhy, AsksAboutARingingBellWhileItRuns) {
+    Player player;
+    player.open(levelsFolder() / "experiments/2-doorbell.json");
+    player.key(SDLK_SPACE);
+    player.simulate(150);
+    std::string const answer = askedWhileItRuns(player, "bell");
+    EXPECT_NE(answer.find("touches the bell"), std::string::npos) << answer;
+    EXPECT_NE(answer.find("striker"), std::string::npos) << answer;
+}
+
 TEST(InspectorWhy, NeedsARun) {
     Player player;
     player.open(experiment);

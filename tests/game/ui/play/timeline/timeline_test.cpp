@@ -142,6 +142,34 @@ TEST(Timeline, PlaysWhatWasRecordedAndRepeatsASection) {
     EXPECT_FALSE(timeline.loop());
 }
 
+// A recorded run has a frame each sixtieth of a second, at a quarter of the speed each fifteenth.
+TEST(Timeline, PlaysAsSlowlyAsItIsAsked) {
+    Player player;
+    runFirstContact(player, 60);
+    Timeline& timeline = player.play().timeline();
+    for (double const speed : {1.0, 0.25, 0.1}) {
+        timeline.seek(0);
+        timeline.playOrPause();
+        ASSERT_TRUE(timeline.playing());
+        for (int i = 0; i < 40; ++i) {
+            timeline.pass(1.0 / 60, speed);
+        }
+        EXPECT_NEAR(static_cast<double>(timeline.frame()), 40 * speed, 1) << speed;
+        timeline.playOrPause();
+    }
+    // The speed is that of the run's buttons.
+    timeline.seek(0);
+    player.key(SDLK_k);
+    player.clickItem("slower");
+    player.clickItem("slower");
+    double const speed = player.play().speed().now();
+    ASSERT_LT(speed, 1);
+    player.key(SDLK_o);
+    std::uint64_t const first = timeline.frame();
+    player.frames(40);
+    EXPECT_NEAR(static_cast<double>(timeline.frame() - first), 40 * speed, 2);
+}
+
 TEST(Timeline, ForgetsARunThatHasEnded) {
     Player player;
     runFirstContact(player, 30);

@@ -1,10 +1,12 @@
 // A newcomer asks why, by mouse, keyboard and gamepad, and gets the answer of insight/why.
 #include "game/ui/app/menu/settings_page.hpp"
+#include "game/ui/cards/level_text.hpp"
 #include "game/ui/play/why/why_panel.hpp"
 #include "tests/game/ui/player.hpp"
 #include "tests/game/ui/tidy.hpp"
 #include "tests/game/ui/virtual_pad.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -262,6 +264,65 @@ TEST(WhyPanel, AnswersAboutAMarkOfTheTimeline) {
     EXPECT_TRUE(answer->happened);
     EXPECT_EQ(answer->chain.back().step.frame, mark.frame);
     player.look("why-mark");
+}
+
+struct MarkedRun {
+    char const* level;
+    char const* solution;
+    int frames;
+    std::vector<insight::MarkKind> kinds;
+};
+
+// A question at a mark of each kind; at the mark of a goal it is about the goal.
+TEST(WhyPanel, AnswersAboutEachKindOfMark) {
+    using insight::MarkKind;
+    std::vector<MarkedRun> const runs{
+        {"experiments/2-doorbell.json",
+         "hands off",
+         300,
+         {MarkKind::contact, MarkKind::parted, MarkKind::on, MarkKind::off, MarkKind::magnetOn,
+          MarkKind::magnetOff, MarkKind::sound}},
+        {"4-water/6-drop-the-ballast.json",
+         "two floats under one end",
+         400,
+         {MarkKind::dips, MarkKind::leaves, MarkKind::hit}},
+        {"experiments/1-switched-electromagnet.json", "cut the wire", 200, {MarkKind::cut}},
+    };
+    for (MarkedRun const& run : runs) {
+        Player player;
+        player.open(levelsFolder() / run.level);
+        Solution const* const solution = player.session().level().findSolution(run.solution);
+        ASSERT_NE(solution, nullptr) << run.solution;
+        player.session().load(*solution);
+        player.key(SDLK_SPACE);
+        player.simulate(run.frames);
+        player.key(SDLK_p);
+        player.frames(2);
+        auto const& marks = player.play().timeline().marks().all();
+        LevelText const said(player.session());
+        WhyPanel panel(gameData().registry, gameData().parts, nullptr, player.session(), said);
+        for (MarkKind const kind : run.kinds) {
+            SCOPED_TRACE(std::string(run.level) + ", kind " + std::to_string(static_cast<int>(kind)));
+            auto const at = std::find_if(marks.begin(), marks.end(),
+                                         [kind](insight::Mark const& mark) { return mark.kind == kind; });
+            ASSERT_NE(at, marks.end());
+            insight::Mark const mark = *at;
+            panel.askMark(mark); // not by mouse: marks of other kinds may lie over it
+            panel.wait();
+            panel.pass();
+            insight::Answer const* const answer = panel.answer();
+            ASSERT_NE(answer, nullptr);
+            EXPECT_TRUE(answer->happened);
+            ASSERT_FALSE(answer->chain.empty());
+            EXPECT_FALSE(panel.lines().empty());
+            insight::Step const& asked = answer->chain.back().step;
+            EXPECT_LE(asked.frame, mark.frame);
+            for (std::string const& object : mark.objects) {
+                EXPECT_NE(std::find(asked.objects.begin(), asked.objects.end(), object), asked.objects.end())
+                    << object;
+            }
+        }
+    }
 }
 
 TEST(WhyPanel, TheLastRunCanBeAskedAboutWhileBuilding) {
