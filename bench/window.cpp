@@ -20,12 +20,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <spawn.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
+#include <thread>
 #include <unistd.h>
 
 namespace {
@@ -238,6 +240,20 @@ RestCost measureRest(std::string where, GameData const& data, double seconds, fs
             loop.drawn() - drawn};
 }
 
+/// The share of a processor that a thread takes which only wakes every millisecond. SDL's driver without a
+/// display does that while it waits for events, so this is the part of a window at rest that is the
+/// machine's.
+double shareOfWaking(double seconds) {
+    double const begin = bench::secondsOf(CLOCK_MONOTONIC);
+    double const used = bench::secondsOf(CLOCK_PROCESS_CPUTIME_ID);
+    double passed = 0;
+    while (passed < seconds) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        passed = bench::secondsOf(CLOCK_MONOTONIC) - begin;
+    }
+    return (bench::secondsOf(CLOCK_PROCESS_CPUTIME_ID) - used) / passed;
+}
+
 /// A number and its ratio to the limit, as cells of a table.
 std::string cells(double value, double limit, bool& held) {
     held = held && value <= limit;
@@ -267,7 +283,7 @@ bool printLevels(std::vector<LevelCost> const& all) {
     return held;
 }
 
-bool printRest(double title, std::vector<RestCost> const& rests) {
+bool printRest(double title, std::vector<RestCost> const& rests, double waking) {
     bool held = true;
     std::printf(
         "\n## Start and rest\n\nA window at rest draws no picture that shows nothing new. The limits are "
@@ -280,6 +296,10 @@ bool printRest(double title, std::vector<RestCost> const& rests) {
                     cells(rest.share, mostAtRest, held).c_str(), static_cast<unsigned long long>(rest.drawn));
         held = held && rest.drawn == 0;
     }
+    std::printf(
+        "\nOf the time at rest, %.3f is what a thread takes on this machine that does nothing but wake "
+        "every millisecond, as SDL\ndoes without a display. With one it waits for events.\n",
+        waking);
     return held;
 }
 
@@ -314,6 +334,6 @@ int main(int argc, char** argv) {
         std::fputs(heading, stdout);
     }
     bool const heldByLevels = printLevels(levels);
-    bool const heldAtRest = printRest(title, rests);
+    bool const heldAtRest = printRest(title, rests, shareOfWaking(arguments.rest));
     return heldByLevels && heldAtRest ? 0 : 1;
 }
