@@ -1,6 +1,7 @@
 #include "insight/miss/miss.hpp"
 
 #include <array>
+#include <utility>
 
 namespace trembler::insight {
 namespace {
@@ -31,6 +32,14 @@ constexpr std::array<LackText, 17> lackTexts{{{"nothing", ""},
 
 std::string_view nameOf(Lack lack) {
     return lackTexts.at(static_cast<std::size_t>(lack)).name;
+}
+
+Miss missOfBlocked(std::string by, std::string blocked) {
+    Miss miss;
+    miss.lack = Lack::blocked;
+    miss.by = 1;
+    miss.names = {std::move(by), std::move(blocked)};
+    return miss;
 }
 
 std::string_view unitOf(Lack lack) {

@@ -37,6 +37,10 @@ enum class Lack : std::uint8_t {
 /// "m", "N" ...; "" for counts.
 [[nodiscard]] std::string_view unitOf(Lack lack);
 
+struct Miss;
+/// `by` stood in the way of `blocked`, by their names.
+[[nodiscard]] Miss missOfBlocked(std::string by, std::string blocked);
+
 /// What a run with the gaps of a circuit closed, by wires, or without what stood in the way, showed about the
 /// goal.
 enum class IfClosed : std::uint8_t {

@@ -46,6 +46,11 @@ Place placeIn(std::vector<Lacking> const& lacking, CounterRandom& random) {
     return place;
 }
 
+/// Mostly upright, else in steps of 15 degrees.
+double anyTurn(CounterRandom& random) {
+    return random.chance(0.7) ? 0 : static_cast<double>(random.below(12)) * pi / 12;
+}
+
 std::vector<std::string> partsLeft(LevelUnderTest const& level, Solution const& solution) {
     std::vector<std::string> left;
     for (ToolboxEntry const& entry : level.level().toolbox) {
@@ -79,7 +84,7 @@ std::optional<Placement> Mutator::placedSomewhere(Solution const& others, std::s
     if (places_.empty() || random.chance(byChance)) {
         return placedAtRandom(level_, others, part, random);
     }
-    double const turn = random.chance(0.7) ? 0 : static_cast<double>(random.below(12)) * pi / 12;
+    double const turn = anyTurn(random);
     return placedAt(level_, anyPlace(random), part, turn);
 }
 
@@ -178,7 +183,7 @@ void Mutator::addPart(Solution& solution, Parent const& parent, CounterRandom& r
     std::string const& part = left[random.below(left.size())];
     std::optional<Placement> placement;
     if (!parent.lacking.empty() && random.chance(addedWhereLacking)) {
-        double const turn = random.chance(0.7) ? 0 : static_cast<double>(random.below(12)) * pi / 12;
+        double const turn = anyTurn(random);
         placement = placedAt(level_, placeIn(parent.lacking, random), part, turn);
     } else {
         placement = placedSomewhere(solution, part, addedByChance, random);

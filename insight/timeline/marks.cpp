@@ -191,11 +191,13 @@ void Marks::lookAtHits(World const& world) {
     auto const conducts = [&](ObjectId object) { return world.find<Conductor>(object) != nullptr; };
     for (auto const* const pairs : {&contacts->begun, &contacts->brief}) {
         for (TouchingPair const& pair : *pairs) {
+            bool const isFast = length(velocityOf(pair.a) - velocityOf(pair.b)) >= leastSpeed;
+            if (!isFast || (conducts(pair.a) && conducts(pair.b))) {
+                continue;
+            }
             std::string const a = world.store().nameOf(pair.a);
             std::string const b = world.store().nameOf(pair.b);
-            bool const isMarked = latest_.contains({MarkKind::hit, {a, b, ""}});
-            bool const isFast = length(velocityOf(pair.a) - velocityOf(pair.b)) >= leastSpeed;
-            if (isFast && !isMarked && !(conducts(pair.a) && conducts(pair.b))) {
+            if (!latest_.contains({MarkKind::hit, {a, b, ""}})) {
                 add(world, MarkKind::hit, {pair.a, pair.b}, pair.event);
             }
         }

@@ -151,8 +151,8 @@ void addSolveCommand(CLI::App& program, int& result) {
     CLI::App* const command = program.add_subcommand(
         "solve",
         "Search for solutions of levels: parts of the toolbox in places of interest and at random, and "
-        "changes "
-        "of the nearest misses, with simple things done by hand. One solution of each kind is reported, "
+        "changes of the nearest misses, with simple things done by hand. One solution of each kind is "
+        "reported, "
         "reduced to what it needs; of several levels, or of a folder, a line each. Exit status: 0 found some "
         "of each level, 1 none of one, 2 bad input or output.");
     command->add_option("LEVEL", arguments->levels, "Level files or folders (required)");

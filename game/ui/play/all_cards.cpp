@@ -4,6 +4,7 @@
 #include "game/ui/play/commands/command_sections.hpp"
 #include "game/ui/play/timeline/probe_panel.hpp"
 #include "game/ui/play/timeline/timeline_bar.hpp"
+#include "game/ui/play/view/level_extents.hpp"
 #include "game/ui/play/whatif/what_if_card.hpp"
 #include "game/ui/play/whatif/what_if_lane.hpp"
 #include "game/ui/shared/texts.hpp"
@@ -188,9 +189,7 @@ bool goalInTheWay(PlayParts const& parts) {
     auto const& places = parts.session.level().placing;
     return parts.goalAside ||
            (card && places && std::any_of(places->begin(), places->end(), [&](Area const& area) {
-                render::Extent const place = render::extentOf(area);
-                return card->overlaps({parts.camera().toScreen({place.lower.x, place.upper.y}),
-                                       parts.camera().toScreen({place.upper.x, place.lower.y})});
+                return card->overlaps(onScreen(parts.camera(), render::extentOf(area)));
             }));
 }
 

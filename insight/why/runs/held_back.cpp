@@ -224,11 +224,7 @@ std::vector<Suspect> suspectsOf(LevelRuns const& runs, Solution const& solution,
 /// What is told of a suspect: who stood in whose way, and the circuit of the device, which is the reason.
 void tell(Suspect const& suspect, Miss& nearest) {
     for (Barrier const& barrier : suspect.barriers) {
-        Miss blocked;
-        blocked.lack = Lack::blocked;
-        blocked.by = 1;
-        blocked.names = {barrier.by, barrier.blocked};
-        nearest.besides.push_back(std::move(blocked));
+        nearest.besides.push_back(missOfBlocked(barrier.by, barrier.blocked));
     }
     nearest.besides.push_back(suspect.miss);
 }

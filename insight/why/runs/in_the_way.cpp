@@ -108,10 +108,7 @@ void addInTheWay(LevelRuns const& runs, Solution const& solution, AskOptions con
     std::vector<GoalRun> const tested = again.run(variations, "");
     for (std::size_t i = 0; i < tested.size(); ++i) {
         if (tested[i].nearer) {
-            Miss blocked;
-            blocked.lack = Lack::blocked;
-            blocked.by = 1;
-            blocked.names = {suspects[i].name, suspects[i].blocked};
+            Miss blocked = missOfBlocked(suspects[i].name, suspects[i].blocked);
             blocked.ifClosed = tested[i].met ? IfClosed::met : IfClosed::nearer;
             nearest.besides.push_back(std::move(blocked));
         }

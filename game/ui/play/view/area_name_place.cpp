@@ -66,11 +66,14 @@ Point areaNamePlace(render::Camera const& camera, Extent const& area, Point size
                               shown.high.y <= camera.viewport.height &&
                               std::none_of(cards.begin(), cards.end(),
                                            [&](Placed const& card) { return card.rect.overlaps(shown); });
+            if (!seen) {
+                continue;
+            }
             Extent name;
             name.add(at - half);
             name.add(at + half);
             double const cost = areaNameCover(name, objects) / whole + row.cost;
-            if (seen && cost < least) {
+            if (cost < least) {
                 least = cost;
                 best = at;
             }

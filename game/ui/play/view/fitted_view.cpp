@@ -150,8 +150,7 @@ bool FittedView::lookAtPlaced(PlayParts& parts) {
     LevelExtents const now = levelExtents(parts.session, parts.goals, parts.catalog());
     auto const anyUnder = [&](std::vector<render::Extent> const& extents, Cards const& cards) {
         return std::any_of(extents.begin(), extents.end(), [&](render::Extent const& extent) {
-            Rect const shown{parts.camera().toScreen({extent.lower.x, extent.upper.y}),
-                             parts.camera().toScreen({extent.upper.x, extent.lower.y})};
+            Rect const shown = onScreen(parts.camera(), extent);
             return std::any_of(cards.begin(), cards.end(),
                                [&](Rect const& card) { return card.overlaps(shown); });
         });

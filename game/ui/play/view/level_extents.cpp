@@ -7,6 +7,11 @@
 
 namespace trembler::ui {
 
+Rect onScreen(render::Camera const& camera, render::Extent const& extent) {
+    return {camera.toScreen({extent.lower.x, extent.upper.y}),
+            camera.toScreen({extent.upper.x, extent.lower.y})};
+}
+
 LevelExtents levelExtents(Session const& session, GoalAreas const& goals, PartCatalog& catalog) {
     constexpr double gap = 0.06;   // m, around each
     constexpr double handle = 0.7; // m, from a part's edge to beyond its handle, if the level is small

@@ -3,7 +3,9 @@
 
 #include "game/ui/play/view/goal_areas.hpp"
 #include "game/ui/shared/catalog/part_catalog.hpp"
+#include "game/ui/shared/layout.hpp"
 #include "puzzle/session/session.hpp"
+#include "render/draw/camera.hpp"
 #include "render/scene/facts/shape_geometry.hpp"
 
 #include <vector>
@@ -17,6 +19,9 @@ struct LevelExtents {
         around; ///< placed parts, and where the lesson has one placed, with the handle
     std::vector<render::Extent> places; ///< where parts may be placed: only needed while a part is held
 };
+
+/// Where the rectangle of the world is in the window.
+[[nodiscard]] Rect onScreen(render::Camera const& camera, render::Extent const& extent);
 
 [[nodiscard]] LevelExtents levelExtents(Session const& session, GoalAreas const& goals, PartCatalog& catalog);
 

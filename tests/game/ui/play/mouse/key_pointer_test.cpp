@@ -27,6 +27,18 @@ protected:
         steps(way.y < 0 ? SDLK_DOWN : SDLK_UP, count(way.y));
         EXPECT_NEAR(length(player.play().keyPointer().at() - to), 0, 1e-9);
     }
+    /// Runs Experiment I and holds its lever by the key.
+    ObjectId holdTheLever() {
+        player.open(levelsFolder() / "experiments/1-switched-electromagnet.json");
+        player.key(SDLK_SPACE);
+        player.simulate(60);
+        ObjectId const lever = player.session().world().store().find("switch");
+        Vec2 const at = player.session().world().find<Position>(lever)->value;
+        go({std::round(at.x / gridStep) * gridStep, std::round(at.y / gridStep) * gridStep});
+        player.hold(SDLK_RETURN);
+        player.frames(20);
+        return lever;
+    }
     Player player;
 };
 
@@ -73,14 +85,7 @@ TEST_F(KeysAlone, WalkThroughTheToolboxAndMoveAPlacedPart) {
 }
 
 TEST_F(KeysAlone, TakeHoldOfAThingInARun) {
-    player.open(levelsFolder() / "experiments/1-switched-electromagnet.json");
-    player.key(SDLK_SPACE);
-    player.simulate(60);
-    ObjectId const lever = player.session().world().store().find("switch");
-    Vec2 const at = player.session().world().find<Position>(lever)->value;
-    go({std::round(at.x / gridStep) * gridStep, std::round(at.y / gridStep) * gridStep});
-    player.hold(SDLK_RETURN);
-    player.frames(20);
+    ObjectId const lever = holdTheLever();
     EXPECT_EQ(player.play().hand().held(), lever);
     player.letGo(SDLK_RETURN);
     player.frames(2);
@@ -126,14 +131,7 @@ TEST_F(KeysAlone, TheSecondHandHoldsAnotherThing) {
 }
 
 TEST_F(KeysAlone, HaveTwoHands) {
-    player.open(levelsFolder() / "experiments/1-switched-electromagnet.json");
-    player.key(SDLK_SPACE);
-    player.simulate(60);
-    ObjectId const lever = player.session().world().store().find("switch");
-    Vec2 const at = player.session().world().find<Position>(lever)->value;
-    go({std::round(at.x / gridStep) * gridStep, std::round(at.y / gridStep) * gridStep});
-    player.hold(SDLK_RETURN);
-    player.frames(20);
+    ObjectId const lever = holdTheLever();
     ASSERT_EQ(player.play().hand().held(), lever);
     player.hold(SDLK_g);
     player.letGo(SDLK_RETURN);
