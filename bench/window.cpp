@@ -4,11 +4,13 @@
 //
 //     bench_window [LEVEL...] [--runs N] [--rest SECONDS] [--markdown]
 //
-// All in processor time, because the machine is shared. Of a picture only the processor's side is measured:
-// OpenGL receives every command, but draws no pixels. Exit status 1 if a limit is exceeded. With --markdown
-// prints the page docs/measurements/window.md.
+// The window at rest is one on a display if there is one, for example Xvfb's. All in processor time, because
+// the machine is shared. Of a picture only the processor's side is measured: OpenGL receives every command,
+// but draws no pixels. Exit status 1 if a limit is exceeded. With --markdown prints the page
+// docs/measurements/window.md.
 #include "audio/effect/properties/sounds.hpp"
 #include "bench/window/clocks.hpp"
+#include "bench/window/rest.hpp"
 #include "game/ui/app/game_loop.hpp"
 #include "game/ui/play/play_screen.hpp"
 #include "lua/mods/mod.hpp"
@@ -20,14 +22,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <spawn.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
-#include <thread>
 #include <unistd.h>
 
 namespace {
@@ -53,12 +53,6 @@ struct LevelCost {
     std::string level;
     bench::FrameTimes simulation;
     bench::FrameTimes picture;
-};
-
-struct RestCost {
-    std::string where;
-    double share = 0;
-    std::uint64_t drawn = 0;
 };
 
 /// All the game's data, with the mods that the level names.
@@ -208,52 +202,6 @@ double timeToTitle(int runs) {
     return least;
 }
 
-/// The action in a level before its window is left alone.
-enum class Before : std::uint8_t { nothing, openMenu, setBudget };
-
-RestCost measureRest(std::string where, GameData const& data, double seconds, fs::path const& level,
-                     Before before) {
-    render::Window window({.size = {1280, 720}, .mode = render::WindowMode::Offscreen});
-    ui::GameApp app(window, data.registry, data.parts, optionsOf(data));
-    if (!level.empty()) {
-        app.open(level);
-    }
-    if (before == Before::openMenu) {
-        app.openMenu(ui::MenuPage::main);
-    } else if (before == Before::setBudget) {
-        dynamic_cast<ui::PlayScreen&>(app.screen()).commands().run("budget");
-    }
-    for (int i = 0; i < 1000 && !app.resting(); ++i) { // until initial motions have ended
-        app.frame(0.1, false);
-    }
-    ui::GameLoop loop(app, window);
-    loop.turn();
-    std::uint64_t const drawn = loop.drawn();
-    double const begin = bench::secondsOf(CLOCK_MONOTONIC);
-    double const used = bench::secondsOf(CLOCK_PROCESS_CPUTIME_ID);
-    double passed = 0;
-    while (passed < seconds) {
-        loop.turn();
-        passed = bench::secondsOf(CLOCK_MONOTONIC) - begin;
-    }
-    return {std::move(where), (bench::secondsOf(CLOCK_PROCESS_CPUTIME_ID) - used) / passed,
-            loop.drawn() - drawn};
-}
-
-/// The share of a processor that a thread takes which only wakes every millisecond. SDL's driver without a
-/// display does that while it waits for events, so this is the part of a window at rest that is the
-/// machine's.
-double shareOfWaking(double seconds) {
-    double const begin = bench::secondsOf(CLOCK_MONOTONIC);
-    double const used = bench::secondsOf(CLOCK_PROCESS_CPUTIME_ID);
-    double passed = 0;
-    while (passed < seconds) {
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
-        passed = bench::secondsOf(CLOCK_MONOTONIC) - begin;
-    }
-    return (bench::secondsOf(CLOCK_PROCESS_CPUTIME_ID) - used) / passed;
-}
-
 /// A number and its ratio to the limit, as cells of a table.
 std::string cells(double value, double limit, bool& held) {
     held = held && value <= limit;
@@ -262,8 +210,8 @@ std::string cells(double value, double limit, bool& held) {
 
 constexpr char const* heading = R"(# What the window costs the processor
 
-This page is made by `build/bench/bench_window --markdown >docs/measurements/window.md`. Times are processor time, of each
-frame the least in some runs, as runs repeat to the bit. A *frame* is 1/60 s of the simulation on one thread, with the first
+This page is made by `xvfb-run -a build/bench/bench_window --markdown >docs/measurements/window.md`. Times are processor time,
+of each frame the least in some runs, as runs repeat to the bit. A *frame* is 1/60 s of the simulation on one thread, with the first
 recorded solution, and with what the window asks of the world, such as sounds. A *picture* is everything that the program does
 to show one at 1280×720, cards and panels included, up to the data that OpenGL gets; the graphics card's part is left out.
 *Worst* is what the worst 1 % of the frames take at least. *Of the limit* is a ratio: up to 1 the limit is held.
@@ -283,7 +231,7 @@ bool printLevels(std::vector<LevelCost> const& all) {
     return held;
 }
 
-bool printRest(double title, std::vector<RestCost> const& rests, double waking) {
+bool printRest(double title, std::vector<bench::RestCost> const& rests, double waking) {
     bool held = true;
     std::printf(
         "\n## Start and rest\n\nA window at rest draws no picture that shows nothing new. The limits are "
@@ -291,15 +239,20 @@ bool printRest(double title, std::vector<RestCost> const& rests, double waking) 
         mostToTitle, mostAtRest);
     std::puts("| | measured | of the limit | pictures drawn |\n|---|---|---|---|");
     std::printf("| from the start to the title, s |%s 1 |\n", cells(title, mostToTitle, held).c_str());
-    for (RestCost const& rest : rests) {
+    for (bench::RestCost const& rest : rests) {
         std::printf("| at rest: %s, share of a processor |%s %llu |\n", rest.where.c_str(),
                     cells(rest.share, mostAtRest, held).c_str(), static_cast<unsigned long long>(rest.drawn));
         held = held && rest.drawn == 0;
     }
-    std::printf(
-        "\nOf the time at rest, %.3f is what a thread takes on this machine that does nothing but wake "
-        "every millisecond, as SDL\ndoes without a display. With one it waits for events.\n",
-        waking);
+    if (waking > 0) {
+        std::printf(
+            "\nMeasured without a display. Of the time at rest, %.3f is what a thread takes on this machine "
+            "that does nothing but\nwake every millisecond, as SDL does without a display. With one it waits "
+            "for events.\n",
+            waking);
+    } else {
+        std::puts("\nThe window at rest was one on a display, where SDL waits for events.");
+    }
     return held;
 }
 
@@ -324,16 +277,20 @@ int main(int argc, char** argv) {
     fs::path const withMod = data.home / "mods/wind/levels/1-a-fair-wind.json";
     std::vector<LevelCost> const levels = measureLevels(data, arguments);
     double const title = timeToTitle(arguments.runs);
-    std::vector<RestCost> const rests{
-        measureRest("the title", data, arguments.rest, {}, Before::nothing),
-        measureRest("a level", data, arguments.rest, level, Before::nothing),
-        measureRest("a level with a mod", data, arguments.rest, withMod, Before::nothing),
-        measureRest("a level with a time budget", data, arguments.rest, level, Before::setBudget),
-        measureRest("the menu over a level", data, arguments.rest, level, Before::openMenu)};
+    ui::GameOptions const options = optionsOf(data);
+    auto const rest = [&](std::string where, fs::path const& opened, bench::Before before) {
+        return bench::measureRest(std::move(where), data, options, arguments.rest, opened, before);
+    };
+    std::vector<bench::RestCost> const rests{
+        rest("the title", {}, bench::Before::nothing), rest("a level", level, bench::Before::nothing),
+        rest("a level with a mod", withMod, bench::Before::nothing),
+        rest("a level with a time budget", level, bench::Before::setBudget),
+        rest("the menu over a level", level, bench::Before::openMenu)};
+    double const waking = bench::hasDisplay() ? 0 : bench::shareOfWaking(arguments.rest);
     if (arguments.markdown) {
         std::fputs(heading, stdout);
     }
     bool const heldByLevels = printLevels(levels);
-    bool const heldAtRest = printRest(title, rests, shareOfWaking(arguments.rest));
+    bool const heldAtRest = printRest(title, rests, waking);
     return heldByLevels && heldAtRest ? 0 : 1;
 }

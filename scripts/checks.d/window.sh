@@ -10,6 +10,6 @@ done)
 if [[ $missing ]]; then
     echo "$page has no row for:"
     echo "$missing"
-    echo "Make it again on an idle machine: build/bench/bench_window --markdown >$page"
+    echo "Make it again on an idle machine: xvfb-run -a build/bench/bench_window --markdown >$page"
     exit 1
 fi
