@@ -2,6 +2,7 @@
 #include "physics/dynamics/engines/box2d/box2d_engine.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace trembler {
@@ -57,11 +58,21 @@ void Box2dEngine::EndContact(b2Contact* contact) {
 float Box2dEngine::speedGain(b2Body const* body) const {
     SlotIndex const slot = slotOf(body);
     float const mass = body->GetMass();
-    return slot == noSlot || !(mass > 0) ? 0 : bodies_[slot].force.Length() * substep_ / mass;
+    if (slot == noSlot || !(mass > 0)) {
+        return 0;
+    }
+    BodyEntry const& entry = bodies_[slot];
+    float gain = entry.force.Length() / mass;
+    if (entry.torque != 0) {
+        // Box2D's moment of inertia is about the body's origin.
+        float const inertia = body->GetInertia() - mass * body->GetLocalCenter().LengthSquared();
+        gain += std::abs(entry.torque) * static_cast<float>(entry.extent * scale_) / inertia;
+    }
+    return gain * substep_;
 }
 
-// A body that is pressed against another by a strong force gains a speed in every substep that looks like an
-// impact; bouncing it back would never end. Only speed that the force does not explain bounces.
+// A body that is pressed or turned against another by a strong load gains a speed in every substep that looks
+// like an impact; bouncing it back would never end. Only speed that the load does not explain bounces.
 void Box2dEngine::PreSolve(b2Contact* contact, b2Manifold const*) {
     if (contact->GetRestitution() > 0) {
         float const explained =

@@ -151,7 +151,7 @@ private:
     /// After the last one: the list of all bodies that were awake in any.
     void noteMotion(bool sleeping);
     [[nodiscard]] bool drifts(BodyEntry const& entry) const;
-    /// The speed that its load gives a body within one substep, in engine units.
+    /// The speed that its load gives any point of a body within one substep at most, in engine units.
     [[nodiscard]] float speedGain(b2Body const* body) const;
     [[nodiscard]] b2Vec2 toEngine(Vec2 v) const {
         return {static_cast<float>(v.x * scale_), static_cast<float>(v.y * scale_)};

@@ -166,7 +166,9 @@ double SubsteppedEngine::bounceThreshold(SlotIndex a, SlotIndex b, double h) con
     double gain = 0;
     for (SlotIndex const slot : {a, b}) {
         if (moves(slot)) {
-            gain += length(bodies_[slot].load.force) * h / bodies_[slot].mass;
+            BodyEntry const& entry = bodies_[slot];
+            gain += h * (length(entry.load.force) / entry.mass +
+                         std::abs(entry.load.torque) * entry.extent / entry.inertia);
         }
     }
     return std::max(slowest, 2 * gain);

@@ -95,8 +95,8 @@ protected:
     void noteAwake(SlotIndex slot);
     /// Applies load, drag and damping to a body's velocity for `h` (s); for every body once per substep.
     void accelerate(SlotIndex slot, Motion& motion, double h);
-    /// The approach speed (m/s) up to which two bodies do not bounce: a body that is pressed against another
-    /// by a strong force gains speed in every substep; bouncing that back would never end.
+    /// The approach speed (m/s) up to which two bodies do not bounce: a body that is pressed or turned
+    /// against another by a strong load gains speed in every substep; bouncing that back would never end.
     [[nodiscard]] double bounceThreshold(SlotIndex a, SlotIndex b, double h) const;
     /// Coulomb's friction coefficient and Newton's coefficient of restitution of a pair.
     [[nodiscard]] double frictionOf(SlotIndex a, SlotIndex b) const;

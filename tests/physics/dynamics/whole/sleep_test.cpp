@@ -40,6 +40,27 @@ TEST_P(Sleep, APileComesToRest) {
     EXPECT_EQ(scene.dynamics(), Activity::asleep);
 }
 
+// As a magnet does that is pulled at one of its poles: the torque gives its far end a speed in each substep that
+// looks like an impact, and must not make it bounce for ever.
+TEST_P(Sleep, ABarThatIsPressedFarFromItsMiddleStopsBouncing) {
+    for (double const at : {0.05, 0.12, 0.17}) {
+        Scene scene;
+        ObjectId const floor = scene.fixed("floor", boxPiece(20, 1), {0, -0.5});
+        ObjectId const bar = scene.body("bar", boxPiece(0.4, 0.14), {0, 0.15});
+        for (ObjectId const id : {floor, bar}) {
+            scene.give(id, Friction{0.03});
+            scene.give(id, Restitution{0.3});
+        }
+        scene.run(1);
+        double const press = 30 * 9.81 * scene.mass(bar);
+        scene.of<Pull>(bar).force = {0, -press};
+        scene.of<Pull>(bar).torque = -at * press;
+        scene.run(240);
+        EXPECT_EQ(scene.dynamics(), Activity::asleep) << at;
+        EXPECT_NEAR(scene.at(bar).y, 0.07, 0.01) << at;
+    }
+}
+
 TEST_P(Sleep, RepeatedEqualForcesWakeNoBody) {
     Rest rest;
     for (int frame = 0; frame < 20; ++frame) {
