@@ -50,6 +50,7 @@ void MagneticPoints::gather(MagneticColumns const& columns, double lag) {
     }
     poleYields_.clear();
     softYields_.clear();
+    softGyrations_.clear();
     auto const addPole = [&](ObjectId id, Vec2 at, double q, Vec2 shift) {
         poleObjects_.push_back(id);
         poleShifts_.push_back(shift);
@@ -81,6 +82,7 @@ void MagneticPoints::gather(MagneticColumns const& columns, double lag) {
                 softObjects_.push_back(id);
                 softShifts_.push_back(shift);
                 softYields_.push_back(yield);
+                softGyrations_.push_back(spread.inertiaPerMass);
                 soft_.add(at, strength.susceptibility, id.index);
                 pulledSoft_.add(at, magneticConstant * strength.susceptibility, id.index);
             }
@@ -144,6 +146,7 @@ void MagneticPoints::exportForces(std::span<EventId const> switching, MagneticFo
     auto& forces = into.forces;
     forces.clear();
     into.rates.clear();
+    into.brakes.clear();
     if (!active()) {
         return;
     }
@@ -167,6 +170,7 @@ void MagneticPoints::exportForces(std::span<EventId const> switching, MagneticFo
         forces.begin(), forces.begin() + static_cast<std::ptrdiff_t>(poleObjects_.size()), forces.end(),
         [](MagneticForce::Entry const& a, MagneticForce::Entry const& b) { return a.object < b.object; });
     exportRates(into);
+    exportBrakes(into);
 }
 
 void MagneticPoints::exportRates(MagneticForce& into) const {
@@ -186,6 +190,15 @@ void MagneticPoints::exportRates(MagneticForce& into) const {
         }
         if (square > 0) {
             into.rates.push_back({id, std::sqrt(square)});
+        }
+    }
+}
+
+void MagneticPoints::exportBrakes(MagneticForce& into) const {
+    for (std::size_t soft = 0; soft < softObjects_.size(); ++soft) {
+        double const angular = magneticLag * softStiffness_[soft] * softGyrations_[soft];
+        if (softYields_[soft] > 0 && angular > 0) {
+            into.brakes.push_back({softObjects_[soft], soft_.at(soft) - softShifts_[soft], angular});
         }
     }
 }

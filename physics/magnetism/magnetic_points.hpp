@@ -67,6 +67,7 @@ public:
 private:
     void findSpreads(MagneticColumns const& columns);
     void exportRates(MagneticForce& into) const;
+    void exportBrakes(MagneticForce& into) const;
     [[nodiscard]] ObjectId strongest(MagneticSum sum, std::size_t receiver) const;
 
     std::vector<MassProperties> spreads_; // by row of MagneticStrength
@@ -84,7 +85,8 @@ private:
     inverse_square::Points pulledSoft_;
     std::vector<double> poleYields_; // 1/kg, 1/m + a²/I of each pole's body; 0 where it has no mass
     std::vector<double> softYields_;
-    std::vector<Vec2> onPoles_; // N
+    std::vector<double> softGyrations_; // m², the square of the radius of gyration
+    std::vector<Vec2> onPoles_;         // N
     std::vector<Vec2> onSoft_;
     std::vector<double> poleStiffness_; // N/m
     std::vector<double> softStiffness_;

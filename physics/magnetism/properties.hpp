@@ -14,6 +14,11 @@ namespace trembler {
 /// Length, in m, that softens every magnetic force: F ~ r / (r² + s²)^(3/2), finite (and zero) at distance
 /// zero and within 1 % of the inverse square from 0.61 m on. About the size of the parts that touch.
 inline constexpr double magneticSoftening = 0.05;
+/// How long the magnetisation of soft iron lags behind a magnet's field, in s: hysteresis and eddy currents
+/// keep it from following at once while the iron turns, which takes energy. A body of mass m that the magnet
+/// alone would swing with ω_M = √(k/m) loses its spin at the rate of magneticLag ω_M², so a steel ball that
+/// rolls under a magnet rests after seconds.
+inline constexpr double magneticLag = 0.02;
 
 struct MagneticStrength {
     static constexpr PropertyKind kind = PropertyKind::object;
@@ -205,9 +210,25 @@ struct MagneticForce {
                   self.rate);
         }
     };
+    struct Brake {
+        ObjectId object;
+        Vec2 point;         ///< m, its centre of mass, in the world
+        double angular = 0; ///< kg m²/s: the torque is -angular times the angular velocity
+        template <class Self, class Visitor>
+        static void describe(Self& self, Visitor&& visit) {
+            visit(FieldInfo{.key = "object", .unit = "", .meaning = "the object that turns"}, self.object);
+            visit(FieldInfo{.key = "point", .unit = "m", .meaning = "its centre of mass, in the world"},
+                  self.point);
+            visit(FieldInfo{.key = "angular",
+                            .unit = "kg m²/s",
+                            .meaning = "the torque is -angular times the angular velocity"},
+                  self.angular);
+        }
+    };
     std::vector<Entry> forces;
-    std::vector<Rate> rates; ///< of objects with a mass, ascending
-    bool foreseen = false;   ///< whether forces are computed for the objects' later places
+    std::vector<Rate> rates;   ///< of objects with a mass, ascending
+    std::vector<Brake> brakes; ///< of soft objects with a mass that a pole acts on, ascending
+    bool foreseen = false;     ///< whether forces are computed for the objects' later places
 
     template <class Self, class Visitor>
     static void describe(Self& self, Visitor&& visit) {
@@ -215,6 +236,10 @@ struct MagneticForce {
               self.forces);
         visit(FieldInfo{.key = "rates", .unit = "", .meaning = "of what has a mass; ascending by object"},
               self.rates);
+        visit(FieldInfo{.key = "brakes",
+                        .unit = "",
+                        .meaning = "of what a magnet pulls as it turns; ascending by object"},
+              self.brakes);
         visit(FieldInfo{.key = "foreseen",
                         .unit = "",
                         .meaning = "whether forces are those of where objects will be when they act"},

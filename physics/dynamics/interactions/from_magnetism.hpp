@@ -17,9 +17,9 @@ public:
         .name = "Dynamics <- Magnetic Forces",
         .effect = "magnetism",
         .level = "",
-        .work =
-            "Adds all the forces calculated in the Magnetic Forces DPS at the "
-            "magnetic poles, or at the centre of an object without poles, and states how fast they vary."};
+        .work = "Adds all the forces calculated in the Magnetic Forces DPS at the "
+                "magnetic poles, or at the centre of an object without poles, and states how fast they vary; "
+                "resists the spin of what a magnet pulls, whose magnetisation lags."};
     using Activation = NeedsAll<>;
     void apply(Access& access) {
         auto const& forces = access.read<MagneticForce>().forces;
@@ -27,6 +27,11 @@ public:
         bool const foreseen = access.read<MagneticForce>().foreseen;
         for (MagneticForce::Rate const& one : access.read<MagneticForce>().rates) {
             access.call(StateRate{one.object, one.rate, foreseen});
+        }
+        for (MagneticForce::Brake const& brake : access.read<MagneticForce>().brakes) {
+            if (!fixed.has(brake.object)) {
+                access.call(AddDrag{.object = brake.object, .point = brake.point, .angular = brake.angular});
+            }
         }
         access.forChunks(forces.size(), [&](Caller& caller, std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i) {

@@ -11,6 +11,11 @@ return interaction {
         out.tellRate(one.object, one.rate, force.foreseen)
       end
     end
+    for _, brake in ipairs(force.brakes) do
+      if alive(brake.object) and not brake.object.fixed then
+        out.addDrag(brake.object, brake.point, 0, 0, 0, brake.angular)
+      end
+    end
     for _, entry in ipairs(force.forces) do
       if alive(entry.object) and not entry.object.fixed then
         out.addForceToPoint(entry.object, entry.point, entry.force)

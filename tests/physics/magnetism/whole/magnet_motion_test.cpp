@@ -83,5 +83,57 @@ TEST(MagnetMotion, ANeedleTurnsTowardsAMagnet) {
     EXPECT_EQ(kit.world.find<Position>(magnet)->value, (Vec2{0, 0}));
 }
 
+// A ball of radius r and mass m that rolls to and fro below a magnet has the energy E = 3/4 m v² + k x²/2.
+// Its spin v/r is braked by the torque L k (r²/2) v/r, where L is magneticLag, so E falls at the mean rate of
+// L k/(3 m).
+TEST(MagnetMotion, ABallThatRollsBelowAMagnetComesToRest) {
+    Kit kit;
+    Store& store = kit.world.store();
+    constexpr double radius = 0.1;
+    constexpr double mass = 10;
+    ObjectId const magnet = store.create("magnet");
+    store.column<Shape>().set(magnet, {{boxPiece(4, 0.2)}});
+    store.column<Position>().set(magnet, {{0, 0.1}});
+    store.column<Fixed>().set(magnet, {});
+    store.column<Friction>().set(magnet, {1});
+    store.column<MagneticStrength>().set(magnet, {60000, 0});
+    store.column<MagneticPoles>().set(magnet, {PoleSet::north, {0, 0.1}, {}});
+    ObjectId const ball = store.create("ball");
+    store.column<Shape>().set(ball, {{circlePiece(radius)}});
+    store.column<Mass>().set(ball, {mass});
+    store.column<Position>().set(ball, {{0.06, -radius}});
+    store.column<Friction>().set(ball, {1});
+    store.column<MagneticStrength>().set(ball, {0, 10000});
+    for (ObjectId const id : {magnet, ball}) {
+        store.column<Magnet>().set(id, {});
+        store.column<Restitution>().set(id, {0});
+    }
+    kit.world.start();
+    // The greatest speed within half a second, which is at least half a swing.
+    auto const fastest = [&] {
+        double found = 0;
+        for (int frame = 0; frame < 30; ++frame) {
+            kit.world.step();
+            found = std::max(found, length(kit.world.find<Velocity>(ball)->value));
+        }
+        return found;
+    };
+    double const begin = fastest();
+    double const rate = kit.world.find<MagneticForce>()->rates.back().rate; // the ball's
+    for (int i = 0; i < 2; ++i) {
+        fastest();
+    }
+    double const end = fastest(); // 1.5 s later
+    ASSERT_GT(begin, 0.1);
+    EXPECT_NEAR(2 * std::log(begin / end), 1.5 * magneticLag * rate * rate / 3,
+                0.3 * 2 * std::log(begin / end))
+        << "ω_M = " << rate;
+    for (int i = 0; i < 40; ++i) {
+        fastest();
+    }
+    EXPECT_LT(fastest(), 1e-3);
+    EXPECT_NEAR(kit.world.find<Position>(ball)->value.x, 0, 0.005);
+}
+
 } // namespace
 } // namespace trembler
