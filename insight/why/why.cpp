@@ -203,7 +203,7 @@ void tell(Answer& answer, Target const& target, std::vector<Proof> const& proofs
         answer.confirmed = answer.confirmed && (!root || known);
         answer.chain.push_back(std::move(made));
     }
-    foldRepeats(answer.chain);
+    foldRepeats(answer.chain, answer.facts);
 }
 
 } // namespace

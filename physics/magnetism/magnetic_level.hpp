@@ -2,6 +2,7 @@
 #pragma once
 
 #include "physics/dynamics/properties/force_lag.hpp"
+#include "physics/magnetism/magnetic_actions.hpp"
 #include "physics/magnetism/magnetic_points.hpp"
 #include "runtime/component/dps.hpp"
 
@@ -33,12 +34,13 @@ public:
         auto const& settings = access.template read<MagnetismSettings>();
         bool const ahead = settings.empty() || settings.values().front().lookAhead;
         double const lag = ahead ? access.template read<ForceLag>().ofTurn() : 0;
-        points_.gather({access.template read<Position>(), access.template read<Rotation>(),
-                        access.template read<Velocity>(), access.template read<AngularVelocity>(),
-                        access.template read<Mass>(), access.template read<Shape>(),
-                        access.template read<MagneticPoles>(), access.template read<MagneticStrength>(),
-                        access.template read<Magnet>()},
-                       lag);
+        MagneticColumns const columns{
+            access.template read<Position>(),      access.template read<Rotation>(),
+            access.template read<Velocity>(),      access.template read<AngularVelocity>(),
+            access.template read<Mass>(),          access.template read<Shape>(),
+            access.template read<MagneticPoles>(), access.template read<MagneticStrength>(),
+            access.template read<Magnet>()};
+        points_.gather(columns, lag);
         if (points_.active()) {
             for (MagneticSum const sum :
                  {MagneticSum::polesOnPoles, MagneticSum::softOnPoles, MagneticSum::polesOnSoft}) {
@@ -49,8 +51,15 @@ public:
             }
         }
         auto& into = access.template derive<MagneticForce>();
-        points_.exportForces(access.template read<MagnetSwitching>().byIndex, into);
+        points_.exportForces(into);
         into.foreseen = ahead;
+        if (access.tracing()) [[unlikely]] {
+            followActions(
+                points_, columns, access.template read<MagnetSwitching>().byIndex,
+                [&](std::string_view what, std::span<ObjectId const> objects,
+                    std::span<EventId const> causes) { return access.event(what, objects, causes); },
+                into);
+        }
     }
 
 private:
