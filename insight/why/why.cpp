@@ -5,6 +5,7 @@
 #include "insight/why/runs/question_target.hpp"
 #include "insight/why/runs/second_runs.hpp"
 #include "insight/why/story/fold_repeats.hpp"
+#include "insight/why/story/join_pulls.hpp"
 
 #include <algorithm>
 #include <set>
@@ -24,15 +25,35 @@ bool isGround(Step const& step, Story const& story, SceneFacts const& facts) {
            });
 }
 
-/// The steps that are shown: what was confirmed, what leads from there to the asked step, and what it follows
-/// from directly; the ground only if it is asked for, or nothing else is known.
-std::vector<bool> shownSteps(Story const& story, std::vector<Proof> const& proofs, SceneFacts const& facts,
+/// From which steps something leads to the asked step that was not refuted: not from the switching of a
+/// magnet without whose pulls it happened all the same.
+std::vector<bool> leadingSteps(Story const& story, std::vector<Proof> const& proofs) {
+    std::vector<bool> leads(story.steps.size());
+    leads[story.asked] = true;
+    for (std::size_t i = story.steps.size(); i-- > 0;) {
+        for (std::size_t const cause : story.steps[i].because) {
+            leads[cause] = leads[cause] || (leads[i] && proofs[i] != Proof::refuted);
+        }
+    }
+    return leads;
+}
+
+/// The steps that are shown: what was confirmed by a run without it, what leads from there to the asked step,
+/// and what it follows from directly; the ground only if it is asked for, or nothing else is known.
+std::vector<bool> shownSteps(Story const& story, std::vector<Proof> const& proofs,
+                             std::vector<Candidate> const& candidates, SceneFacts const& facts,
                              bool everything) {
     std::vector<bool> shown(story.steps.size());
+    std::vector<bool> confirmable = leadingSteps(story, proofs);
+    for (Candidate const& candidate : candidates) {
+        for (std::size_t const i : candidate.steps) {
+            confirmable[i] = true;
+        }
+    }
     shown[story.asked] = true;
     bool any = false;
     for (std::size_t i = 0; i < story.steps.size(); ++i) {
-        bool const known = proofs[i] == Proof::confirmed || proofs[i] == Proof::together;
+        bool const known = confirmable[i] && (proofs[i] == Proof::confirmed || proofs[i] == Proof::together);
         bool const told = known && (everything || !isGround(story.steps[i], story, facts));
         shown[i] = shown[i] || told;
         any = any || (told && i != story.asked);
@@ -174,9 +195,10 @@ void connect(Story& story, SecondRuns::Tested const& tested) {
     }
 }
 
-void tell(Answer& answer, Target const& target, std::vector<Proof> const& proofs, bool everything) {
+void tell(Answer& answer, Target const& target, std::vector<Proof> const& proofs,
+          std::vector<Candidate> const& candidates, bool everything) {
     Story const& story = target.story;
-    std::vector<bool> shown = shownSteps(story, proofs, answer.facts, everything);
+    std::vector<bool> shown = shownSteps(story, proofs, candidates, answer.facts, everything);
     joinBounces(story, shown);
     joinDips(story, shown);
     std::vector<StepSet> const causes = shownCauses(story, shown);
@@ -203,6 +225,7 @@ void tell(Answer& answer, Target const& target, std::vector<Proof> const& proofs
         answer.confirmed = answer.confirmed && (!root || known);
         answer.chain.push_back(std::move(made));
     }
+    joinPulls(answer.chain, answer.facts);
     foldRepeats(answer.chain, answer.facts);
 }
 
@@ -240,7 +263,7 @@ Answer why(LevelRuns const& runs, Solution const& solution, Question const& ques
     answer.runs += second.runs();
     answer.complete = second.complete();
     connect(target.story, tested);
-    tell(answer, target, tested.proofs, options.everything);
+    tell(answer, target, tested.proofs, candidates, options.everything);
     return answer;
 }
 

@@ -8,7 +8,7 @@ namespace trembler::insight {
 namespace {
 
 /// Of a pull and a push by the same magnet, one that is weaker than this share of the other is left out.
-constexpr double leastShare = 0.25;
+constexpr double leastShare = 0.1;
 
 } // namespace
 
