@@ -25,14 +25,15 @@ bool isGround(Step const& step, Story const& story, SceneFacts const& facts) {
            });
 }
 
-/// From which steps something leads to the asked step that was not refuted: not from the switching of a
-/// magnet without whose pulls it happened all the same.
+/// From which steps something leads to the asked step, other than the pulls of a magnet without which it
+/// happened all the same.
 std::vector<bool> leadingSteps(Story const& story, std::vector<Proof> const& proofs) {
     std::vector<bool> leads(story.steps.size());
     leads[story.asked] = true;
     for (std::size_t i = story.steps.size(); i-- > 0;) {
         for (std::size_t const cause : story.steps[i].because) {
-            leads[cause] = leads[cause] || (leads[i] && proofs[i] != Proof::refuted);
+            bool const idle = isPull(story.steps[i].kind) && proofs[i] == Proof::refuted;
+            leads[cause] = leads[cause] || (leads[i] && !idle);
         }
     }
     return leads;
@@ -87,8 +88,8 @@ std::vector<StepSet> nearestShown(Story const& story, std::vector<bool> const& s
 }
 
 /// Leaves out of several contacts of a pair that follow from each other, as when something bounces, all but
-/// the last. A contact from which the later one follows by way of other steps, as that of a doorbell's
-/// striker, is no bounce.
+/// the last, and of pulls by a magnet that was switched on again at once. A contact from which the later one
+/// follows by way of other steps, as that of a doorbell's striker, is no bounce.
 void joinBounces(Story const& story, std::vector<bool>& shown) {
     std::vector<StepSet> const nearest = nearestShown(story, shown);
     std::vector<StepSet> ancestors(story.steps.size());
@@ -101,10 +102,11 @@ void joinBounces(Story const& story, std::vector<bool>& shown) {
     for (std::size_t i = 0; i < story.steps.size(); ++i) {
         for (std::size_t const cause : nearest[i]) {
             Step const& before = story.steps[cause];
-            bool const same = shown[i] && story.steps[i].kind == StepKind::contact &&
-                              before.kind == StepKind::contact && before.objects == story.steps[i].objects;
+            StepKind const kind = story.steps[i].kind;
+            bool const same = shown[i] && (kind == StepKind::contact || isPull(kind)) &&
+                              before.kind == kind && before.objects == story.steps[i].objects;
             if (same && std::none_of(nearest[i].begin(), nearest[i].end(), [&](std::size_t other) {
-                    return story.steps[other].kind != StepKind::contact && ancestors[other].contains(cause);
+                    return story.steps[other].kind != kind && ancestors[other].contains(cause);
                 })) {
                 shown[cause] = false;
             }

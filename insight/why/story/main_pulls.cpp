@@ -1,6 +1,7 @@
 #include "insight/why/story/main_pulls.hpp"
 
 #include "physics/magnetism/properties.hpp"
+#include "runtime/placement.hpp"
 
 #include <algorithm>
 
@@ -30,6 +31,10 @@ void MainPulls::look(World const& world, Groups const& tied) {
     std::map<std::pair<Body, std::string>, Strongest> now;
     for (MagneticForce::Action const& action : magnetic->actions) {
         std::string const by = world.store().nameOf(action.by);
+        // That iron pulls the magnet that pulls it is told by the magnet's pull.
+        if (world.find<Magnet>(action.by) == nullptr && world.find<Velocity>(action.by) != nullptr) {
+            continue;
+        }
         Body body = bodyOf(world.store().nameOf(action.object), tied);
         if (body.first > 0 && body == bodyOf(by, tied)) {
             continue;

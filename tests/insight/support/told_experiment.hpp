@@ -62,9 +62,8 @@ inline std::string told(Answer const& answer) {
     return all;
 }
 
-inline /// No cause comes after its effect, and no magnet moves anything before the next frame.
-    inline void
-    expectEarlierCauses(Answer const& answer) {
+/// No cause comes after its effect, and no magnet moves anything before the next frame.
+inline void expectEarlierCauses(Answer const& answer) {
     for (std::size_t i = 0; i < answer.chain.size(); ++i) {
         for (std::size_t const cause : answer.chain[i].step.because) {
             ASSERT_LT(cause, i);

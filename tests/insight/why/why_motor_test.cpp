@@ -61,7 +61,7 @@ TEST(WhyMotor, TheProcessRepeats) {
     EXPECT_LT(answer.chain.size(), 25U) << told(answer);
 }
 
-// Of the two, the north spokes' electromagnet alone would have turned it as often, so it is the one named.
+// Without the other electromagnet it turns as soon, so that only one of them is named.
 TEST(WhyMotor, ItTurnsBecauseOfItsElectromagnet) {
     for (std::string const solution : {"hands off", "lift the sliding contact"}) {
         Answer const answer = answerIn("3-electric-motor", solution);

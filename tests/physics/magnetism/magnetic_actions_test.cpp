@@ -93,7 +93,7 @@ TEST(MagneticActions, EachMagnetIsNamedWithWhatItDoes) {
     EXPECT_TRUE(things.follow().empty()) << "they go on";
     ASSERT_EQ(things.into.actions.size(), 6U);
     for (std::size_t i = 0; i < 3; ++i) {
-        EXPECT_NEAR(things.into.actions[i].force, 1e-7 * 1000 * 50, 1e-5);
+        EXPECT_NEAR(things.into.actions[i].force, length(poleForce({1, 0}, 1000, 50)), 1e-12);
     }
     things.positions.set(ObjectId{2, 0}, {{-1000, 0}});
     EXPECT_EQ(things.follow(),
