@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -39,6 +38,7 @@ void addEffects(MagneticPoints const& points, MagneticSum sum, std::size_t recei
         Vec2 force;
         Vec2 nearest;
         double least = std::numeric_limits<double>::infinity();
+        std::size_t const first = j;
         for (; j < objects.size() && objects[j] == by; ++j) {
             Vec2 const r = from.at(j) - on.at(receiver);
             force += poleForce(r, own, from.weight[j]);
@@ -47,16 +47,27 @@ void addEffects(MagneticPoints const& points, MagneticSum sum, std::size_t recei
                 nearest = r;
             }
         }
-        if (by != self) {
-            double const along = least > 0 ? dot(force, nearest) / std::sqrt(least) : 0;
-            effects.push_back({by, length(force), along});
+        if (by == self) {
+            continue;
         }
+        double const size = length(force);
+        double along = std::copysign(size, dot(force, nearest)); // one pole's force is central
+        if (j - first > 1 && least > 0) {
+            along = dot(force, nearest) / std::sqrt(least);
+        }
+        effects.push_back({by, size, along});
     }
+}
+
+bool byObject(Effect const& a, Effect const& b) {
+    return a.by < b.by;
 }
 
 /// Adds the effects of the same object, whose points were looked at one by one.
 void merge(std::vector<Effect>& effects) {
-    std::sort(effects.begin(), effects.end(), [](Effect const& a, Effect const& b) { return a.by < b.by; });
+    if (!std::is_sorted(effects.begin(), effects.end(), byObject)) {
+        std::sort(effects.begin(), effects.end(), byObject);
+    }
     std::size_t count = 0;
     for (Effect const& effect : effects) {
         if (count > 0 && effects[count - 1].by == effect.by) {
@@ -73,65 +84,70 @@ class Follower {
 public:
     Follower(MagneticColumns const& columns, std::span<EventId const> switching, RecordEvent const& record,
              std::vector<Action> before)
-        : columns_(columns), switching_(switching), record_(record), before_(std::move(before)) {}
+        : columns_(columns), switching_(switching), record_(record), before_(std::move(before)) {
+        now_.reserve(before_.size());
+    }
 
     [[nodiscard]] bool moves(ObjectId object) const { return columns_.velocities.has(object); }
 
-    /// The actions on the next object, in ascending order.
-    void add(ObjectId object, std::vector<Effect> const& effects) {
-        endBefore(object);
-        std::size_t const begin = next_;
-        while (next_ < before_.size() && before_[next_].object == object) {
-            ++next_;
+    /// What is done to the next object, in ascending order. May leave out some of the effects.
+    void add(ObjectId object, std::vector<Effect>& effects) {
+        endBefore(object, ObjectId{0, 0});
+        if (effects.size() > mostActions) {
+            keepStrongest(object, effects);
         }
-        std::span<Action const> const old(before_.data() + begin, next_ - begin);
-        auto const known = [&](ObjectId by) {
-            auto const at =
-                std::find_if(old.begin(), old.end(), [&](Action const& one) { return one.by == by; });
-            return at == old.end() ? nullptr : &*at;
-        };
-        struct Choice {
-            Effect effect;
-            Action const* before = nullptr;
-            double rank = 0;
-        };
-        std::vector<Choice> chosen;
         for (Effect const& effect : effects) {
-            Action const* const before = known(effect.by);
-            double const rank = before == nullptr ? effect.force : 2 * effect.force;
-            if (rank > negligibleForce) {
-                chosen.push_back({effect, before, rank});
+            endBefore(object, effect.by);
+            Action const* const before = isNext(object, effect.by) ? &before_[next_++] : nullptr;
+            if (rankOf(effect, before != nullptr) > negligibleForce) {
+                now_.push_back(actionOf(object, effect, before));
+            } else if (before != nullptr) {
+                end(*before);
             }
-        }
-        if (chosen.size() > mostActions) {
-            std::stable_sort(chosen.begin(), chosen.end(),
-                             [](Choice const& a, Choice const& b) { return a.rank > b.rank; });
-            chosen.resize(mostActions);
-            std::sort(chosen.begin(), chosen.end(),
-                      [](Choice const& a, Choice const& b) { return a.effect.by < b.effect.by; });
-        }
-        for (Action const& one : old) {
-            if (std::none_of(chosen.begin(), chosen.end(),
-                             [&](Choice const& choice) { return choice.before == &one; })) {
-                end(one);
-            }
-        }
-        for (Choice const& choice : chosen) {
-            now_.push_back(actionOf(object, choice.effect, choice.before));
         }
     }
 
     [[nodiscard]] std::vector<Action> finish() {
-        endBefore(std::nullopt);
+        endBefore(ObjectId{}, ObjectId{});
         return std::move(now_);
     }
 
 private:
-    /// The actions on objects before this one have ended; without it, those on all others.
-    void endBefore(std::optional<ObjectId> object) {
-        for (; next_ < before_.size() && (!object || before_[next_].object < *object); ++next_) {
-            end(before_[next_]);
+    /// An action that is followed ends at half of the force at which it began.
+    static double rankOf(Effect const& effect, bool followed) {
+        return followed ? 2 * effect.force : effect.force;
+    }
+    [[nodiscard]] bool isNext(ObjectId object, ObjectId by) const {
+        return next_ < before_.size() && before_[next_].object == object && before_[next_].by == by;
+    }
+    /// The actions before this one, and not after those looked at, have ended.
+    void endBefore(ObjectId object, ObjectId by) {
+        for (; next_ < before_.size(); ++next_) {
+            Action const& next = before_[next_];
+            if (next.object != object ? object < next.object : by <= next.by) {
+                return;
+            }
+            end(next);
         }
+    }
+    void keepStrongest(ObjectId object, std::vector<Effect>& effects) const {
+        auto const followed = [&](Effect const& effect) {
+            auto const at =
+                std::find_if(before_.begin() + static_cast<std::ptrdiff_t>(next_), before_.end(),
+                             [&](Action const& one) { return one.object != object || one.by == effect.by; });
+            return at != before_.end() && at->object == object;
+        };
+        std::vector<std::pair<double, std::size_t>> ranks;
+        for (std::size_t i = 0; i < effects.size(); ++i) {
+            ranks.emplace_back(-rankOf(effects[i], followed(effects[i])), i);
+        }
+        std::sort(ranks.begin(), ranks.end());
+        std::vector<Effect> kept;
+        for (std::size_t i = 0; i < mostActions; ++i) {
+            kept.push_back(effects[ranks[i].second]);
+        }
+        std::sort(kept.begin(), kept.end(), byObject);
+        effects = std::move(kept);
     }
 
     [[nodiscard]] Action actionOf(ObjectId object, Effect const& effect, Action const* before) const {
@@ -173,21 +189,6 @@ private:
     std::vector<Action> now_;
 };
 
-/// Sets the causes of the forces on each object.
-void nameCauses(MagneticForce& into) {
-    for (MagneticForce::Entry& entry : into.forces) {
-        auto const begin = std::lower_bound(into.actions.begin(), into.actions.end(), entry.object,
-                                            [](Action const& one, ObjectId id) { return one.object < id; });
-        Action const* strongest = nullptr;
-        for (auto at = begin; at != into.actions.end() && at->object == entry.object; ++at) {
-            if (strongest == nullptr || at->force > strongest->force) {
-                strongest = &*at;
-            }
-        }
-        entry.cause = strongest == nullptr ? EventId{} : strongest->event;
-    }
-}
-
 } // namespace
 } // namespace magnetic_actions
 
@@ -220,7 +221,21 @@ void followActions(MagneticPoints const& points, MagneticColumns const& columns,
         }
     }
     into.actions = follower.finish();
-    nameCauses(into);
+}
+
+void nameCauses(MagneticForce& into) {
+    for (MagneticForce::Entry& entry : into.forces) {
+        auto const begin =
+            std::lower_bound(into.actions.begin(), into.actions.end(), entry.object,
+                             [](MagneticForce::Action const& one, ObjectId id) { return one.object < id; });
+        MagneticForce::Action const* strongest = nullptr;
+        for (auto at = begin; at != into.actions.end() && at->object == entry.object; ++at) {
+            if (strongest == nullptr || at->force > strongest->force) {
+                strongest = &*at;
+            }
+        }
+        entry.cause = strongest == nullptr ? EventId{} : strongest->event;
+    }
 }
 
 } // namespace trembler

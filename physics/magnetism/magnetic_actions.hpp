@@ -21,11 +21,15 @@ inline constexpr std::string_view noLongerAttracted = "no longer attracted";
 inline constexpr std::string_view noLongerRepelled = "no longer repelled";
 } // namespace magnetic_events
 
+/// Without a switched magnet, actions are followed in every fourth update: objects approach each other slowly
+/// compared to that.
+inline constexpr int followPeriod = 4;
+
 /// At most so many actions on one object are followed at a time: the strongest.
 inline constexpr std::size_t mostActions = 16;
 
-/// Brings `into.actions` up to date, which has the actions of the last update, records an event for each one
-/// that begins or ends, and sets the causes of `into.forces`: of the actions on their object the strongest.
+/// Brings `into.actions` up to date, which has the actions that were followed last, and records an event for
+/// each one that begins or ends.
 ///
 /// An action begins when its force exceeds `negligibleForce` and ends below half of it. Of more than
 /// `mostActions` on an object the weakest are left out; one that is followed stays until another one is twice
@@ -38,5 +42,8 @@ inline constexpr std::size_t mostActions = 16;
 /// the forces on them. O(n²) for n points, so only while tracing.
 void followActions(MagneticPoints const& points, MagneticColumns const& columns,
                    std::span<EventId const> switching, RecordEvent const& record, MagneticForce& into);
+
+/// Sets the causes of `into.forces`: the event of the strongest of the actions on their object.
+void nameCauses(MagneticForce& into);
 
 } // namespace trembler

@@ -6,6 +6,8 @@
 #include "physics/magnetism/magnetic_points.hpp"
 #include "runtime/component/dps.hpp"
 
+#include <cstdint>
+
 namespace trembler {
 
 namespace detail {
@@ -28,7 +30,7 @@ public:
     using Activation = NeedsAll<Magnet, MagneticStrength, Position>;
     static constexpr int longestPeriod =
         4; // held for longer, the force is no longer an approximation of the same physics
-    static constexpr Coverage memory = leftOut("refilled in each update");
+    static constexpr Coverage memory = leftOut("refilled in each update, or for traces only");
 
     void update(Access& access) {
         auto const& settings = access.template read<MagnetismSettings>();
@@ -54,16 +56,24 @@ public:
         points_.exportForces(into);
         into.foreseen = ahead;
         if (access.tracing()) [[unlikely]] {
-            followActions(
-                points_, columns, access.template read<MagnetSwitching>().byIndex,
-                [&](std::string_view what, std::span<ObjectId const> objects,
-                    std::span<EventId const> causes) { return access.event(what, objects, causes); },
-                into);
+            bool const switched = columns.magnets.version() != magnets_;
+            if (++sinceFollowed_ >= followPeriod || switched) {
+                sinceFollowed_ = 0;
+                magnets_ = columns.magnets.version();
+                followActions(
+                    points_, columns, access.template read<MagnetSwitching>().byIndex,
+                    [&](std::string_view what, std::span<ObjectId const> objects,
+                        std::span<EventId const> causes) { return access.event(what, objects, causes); },
+                    into);
+            }
+            nameCauses(into);
         }
     }
 
 private:
     MagneticPoints points_;
+    std::uint64_t magnets_ = 0;        // version of the column when actions were followed last
+    int sinceFollowed_ = followPeriod; // updates
 };
 
 } // namespace trembler

@@ -56,6 +56,7 @@ struct Things {
                 return EventId{1000 + causesOf.size()};
             },
             into);
+        nameCauses(into);
         std::sort(told.begin(), told.end());
         return told;
     }
