@@ -52,7 +52,8 @@ TEST(WhyMotor, TheProcessRepeats) {
                          {StepKind::on, {"EM-South"}},
                          {StepKind::magnetOn, {"EM-South"}},
                          {StepKind::pull, {"EM-South"}},
-                         {StepKind::push, {"EM-South"}}});
+                         {StepKind::push, {"EM-South"}},
+                         {StepKind::contact, {"sliding contact", "spoke 6"}}});
     for (char const* const coil : {"EM-North", "EM-South"}) {
         for (StepKind const kind : {StepKind::on, StepKind::magnetOn, StepKind::push, StepKind::pull}) {
             EXPECT_GE(timesOf(answer, kind, {coil}), 3U) << coil << ": " << told(answer);
