@@ -25,6 +25,22 @@ bool isGround(Step const& step, Story const& story, SceneFacts const& facts) {
            });
 }
 
+/// Without the magnet that alone pulled two objects apart, what was asked about happened all the same; but
+/// that they came apart is part of the answer, and would not be understood without the pull: it is told as
+/// traced.
+void keepWhatPartedObjects(Story const& story, std::vector<Proof>& proofs) {
+    for (std::size_t i = 0; i < story.steps.size(); ++i) {
+        std::vector<std::size_t> const& because = story.steps[i].because;
+        bool const known = std::any_of(because.begin(), because.end(),
+                                       [&](std::size_t cause) { return proofs[cause] != Proof::refuted; });
+        for (std::size_t const cause : because) {
+            if (story.steps[i].kind == StepKind::apart && !known && isPull(story.steps[cause].kind)) {
+                proofs[cause] = Proof::traced;
+            }
+        }
+    }
+}
+
 /// From which steps something leads to the asked step, other than the pulls of a magnet without which it
 /// happened all the same.
 std::vector<bool> leadingSteps(Story const& story, std::vector<Proof> const& proofs) {
@@ -61,6 +77,14 @@ std::vector<bool> shownSteps(Story const& story, std::vector<Proof> const& proof
     }
     for (std::size_t i = 0; i < story.steps.size() && !any; ++i) {
         shown[i] = shown[i] || proofs[i] == Proof::confirmed || proofs[i] == Proof::together;
+    }
+    for (std::size_t i = 0; i < story.steps.size(); ++i) {
+        if (shown[i] && story.steps[i].kind == StepKind::apart) {
+            for (std::size_t const cause : story.steps[i].because) {
+                bool const pull = isPull(story.steps[cause].kind) && proofs[cause] == Proof::traced;
+                shown[cause] = shown[cause] || pull;
+            }
+        }
     }
     for (std::size_t const i : story.askedStep().because) {
         if (proofs[i] != Proof::refuted && (everything || !any || !isGround(story.steps[i], story, facts))) {
@@ -261,10 +285,11 @@ Answer why(LevelRuns const& runs, Solution const& solution, Question const& ques
     std::vector<Candidate> const candidates =
         candidatesOf(target.story, answer.facts, solution, options.everything);
     SecondRuns second(runs, solution, target, answer.facts, options);
-    SecondRuns::Tested const tested = second.test(candidates);
+    SecondRuns::Tested tested = second.test(candidates);
     answer.runs += second.runs();
     answer.complete = second.complete();
     connect(target.story, tested);
+    keepWhatPartedObjects(target.story, tested.proofs);
     tell(answer, target, tested.proofs, candidates, options.everything);
     return answer;
 }

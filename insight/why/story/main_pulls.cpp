@@ -1,15 +1,23 @@
 #include "insight/why/story/main_pulls.hpp"
 
+#include "physics/dynamics/properties/body.hpp"
 #include "physics/magnetism/properties.hpp"
 #include "runtime/placement.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace trembler::insight {
 namespace {
 
 /// Of a pull and a push by the same magnet, one that is weaker than this share of the other is left out.
 constexpr double leastShare = 0.1;
+
+/// Of what several magnets do to a body, a force that is weaker than this share of the greatest is left out.
+constexpr double leastShareOfAll = 0.05;
+
+/// m/s². A force that gives its object less than this acceleration is left out.
+constexpr double leastAcceleration = 0.01;
 
 } // namespace
 
@@ -29,8 +37,13 @@ void MainPulls::look(World const& world, Groups const& tied) {
         MagneticForce::Action const* push = nullptr;
     };
     std::map<std::pair<Body, std::string>, Strongest> now;
+    std::map<Body, double> greatest; // N
     for (MagneticForce::Action const& action : magnetic->actions) {
         std::string const by = world.store().nameOf(action.by);
+        Mass const* const mass = world.find<Mass>(action.object);
+        if (mass != nullptr && action.force < leastAcceleration * mass->value) {
+            continue;
+        }
         // That iron pulls the magnet that pulls it is told by the magnet's pull.
         if (world.find<Magnet>(action.by) == nullptr && world.find<Velocity>(action.by) != nullptr) {
             continue;
@@ -39,6 +52,8 @@ void MainPulls::look(World const& world, Groups const& tied) {
         if (body.first > 0 && body == bodyOf(by, tied)) {
             continue;
         }
+        double& ofBody = greatest[body];
+        ofBody = std::max(ofBody, action.force);
         Strongest& most = now[{std::move(body), by}];
         auto const*& same = action.push ? most.push : most.pull;
         same = same == nullptr || action.force > same->force ? &action : same;
@@ -54,13 +69,16 @@ void MainPulls::look(World const& world, Groups const& tied) {
     for (auto const& [key, most] : now) {
         double const pull = most.pull == nullptr ? 0 : most.pull->force;
         double const push = most.push == nullptr ? 0 : most.push->force;
-        Since since{world.frame(), {}, {}, true};
+        Since since{world.frame(), {}, {}, true, false};
         since.pull = pull > leastShare * push ? most.pull->event : EventId{};
         since.push = push > leastShare * pull ? most.push->event : EventId{};
+        since.weak = std::max(pull, push) < leastShareOfAll * greatest[key.first];
         std::vector<Since>& history = histories_[key];
         if (history.empty() || !history.back().acting || history.back().pull != since.pull ||
-            history.back().push != since.push) {
+            history.back().push != since.push || history.back().weak != since.weak) {
             history.push_back(since);
+        }
+        if (!since.weak) {
             main_.insert({since.pull, since.push});
         }
     }
@@ -81,7 +99,7 @@ std::vector<MainPulls::Pull> MainPulls::on(std::string const& object, std::uint6
         }
         Since const& then = *(after - 1);
         for (EventId const event : {then.pull, then.push}) {
-            if (event) {
+            if (event && !then.weak) {
                 all.push_back({event, at->first.second, then.acting});
             }
         }

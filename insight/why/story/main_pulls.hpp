@@ -16,7 +16,8 @@ namespace trembler::insight {
 /// Objects that joints tie to each other move together, and their magnets act on each other in vain. Of what
 /// another magnet does to such a body, the greatest pull on one of its objects and the greatest push are the
 /// main ones: of a motor's spokes, the one that an electromagnet pulls up and the one that it pushes away.
-/// The inverse square law makes the others insignificant (6.10.3).
+/// The inverse square law makes the others insignificant (6.10.3). So is a force that is weak for the mass of
+/// its object, or beside what another magnet does to the body at the same time.
 class MainPulls {
 public:
     using Groups = std::map<std::string, std::size_t>; ///< SceneFacts::tied
@@ -46,6 +47,7 @@ private:
         EventId pull;
         EventId push;
         bool acting = false;
+        bool weak = false; ///< beside another magnet
     };
     [[nodiscard]] static Body bodyOf(std::string const& name, Groups const& tied);
 

@@ -1,4 +1,5 @@
 #include "insight/why/story/main_pulls.hpp"
+#include "physics/dynamics/properties/body.hpp"
 #include "physics/magnetism/properties.hpp"
 #include "tests/support/game_data.hpp"
 
@@ -28,6 +29,9 @@ public:
         return {world_.store().find(object), world_.store().find(by), std::abs(force), force < 0,
                 EventId{event}};
     }
+    void weigh(char const* object, double kilograms) {
+        world_.store().column<Mass>().set(world_.store().find(object), {kilograms});
+    }
     [[nodiscard]] std::vector<std::uint64_t> on(char const* object, std::uint64_t frame) const {
         std::vector<std::uint64_t> events;
         for (MainPulls::Pull const& pull : pulls.on(object, frame)) {
@@ -50,7 +54,7 @@ TEST(MainPulls, AreTheGreatestPullAndPushOnABody) {
     Scene scene;
     scene.step({scene.action("spoke 1", "coil", 300, 1), scene.action("spoke 2", "coil", -200, 2),
                 scene.action("spoke 3", "coil", 40, 3), scene.action("spoke 3", "spoke 1", 900, 4),
-                scene.action("spoke 2", "base", 5, 5), scene.action("spoke 1", "base", -0.1, 6),
+                scene.action("spoke 2", "base", 50, 5), scene.action("spoke 1", "base", -1, 6),
                 scene.action("ball", "coil", 0.01, 7)});
     EXPECT_EQ(scene.on("spoke 3", 1), Events{}) << "a force acts in the frame after it was computed";
     EXPECT_EQ(scene.on("spoke 3", 2), (Events{1, 2, 5})) << "wherever on the body they act";
@@ -59,6 +63,18 @@ TEST(MainPulls, AreTheGreatestPullAndPushOnABody) {
     EXPECT_TRUE(scene.pulls.isMain(EventId{2}));
     EXPECT_FALSE(scene.pulls.isMain(EventId{3}));
     EXPECT_FALSE(scene.pulls.isMain(EventId{4})) << "a body does not move itself";
+}
+
+TEST(MainPulls, AreNoneThatAreWeakBesideAnotherMagnetOrForTheMass) {
+    Scene scene;
+    scene.step({scene.action("spoke 1", "coil", 400, 1), scene.action("spoke 2", "base", 10, 2)});
+    scene.step({scene.action("spoke 2", "base", 10, 2)});
+    EXPECT_EQ(scene.on("spoke 3", 2), Events{1});
+    EXPECT_EQ(scene.on("spoke 3", 3), (Events{1, 2})) << "when the coil is off, the base magnet matters";
+    scene.weigh("ball", 5);
+    scene.step({scene.action("ball", "base", 0.01, 3)});
+    EXPECT_EQ(scene.on("ball", 4), Events{});
+    EXPECT_FALSE(scene.pulls.isMain(EventId{3}));
 }
 
 TEST(MainPulls, AreThoseOfTheFrameBefore) {
