@@ -5,6 +5,7 @@
 #include "insight/why/runs/question_target.hpp"
 #include "insight/why/runs/second_runs.hpp"
 #include "insight/why/story/fold_repeats.hpp"
+#include "insight/why/story/join_pulls.hpp"
 
 #include <algorithm>
 #include <set>
@@ -24,21 +25,66 @@ bool isGround(Step const& step, Story const& story, SceneFacts const& facts) {
            });
 }
 
-/// The steps that are shown: what was confirmed, what leads from there to the asked step, and what it follows
-/// from directly; the ground only if it is asked for, or nothing else is known.
-std::vector<bool> shownSteps(Story const& story, std::vector<Proof> const& proofs, SceneFacts const& facts,
+/// Without the magnet that alone pulled two objects apart, what was asked about happened all the same; but
+/// that they came apart is part of the answer, and would not be understood without the pull: it is told as
+/// traced.
+void keepWhatPartedObjects(Story const& story, std::vector<Proof>& proofs) {
+    for (std::size_t i = 0; i < story.steps.size(); ++i) {
+        std::vector<std::size_t> const& because = story.steps[i].because;
+        bool const known = std::any_of(because.begin(), because.end(),
+                                       [&](std::size_t cause) { return proofs[cause] != Proof::refuted; });
+        for (std::size_t const cause : because) {
+            if (story.steps[i].kind == StepKind::apart && !known && isPull(story.steps[cause].kind)) {
+                proofs[cause] = Proof::traced;
+            }
+        }
+    }
+}
+
+/// From which steps something leads to the asked step, other than the pulls of a magnet without which it
+/// happened all the same.
+std::vector<bool> leadingSteps(Story const& story, std::vector<Proof> const& proofs) {
+    std::vector<bool> leads(story.steps.size());
+    leads[story.asked] = true;
+    for (std::size_t i = story.steps.size(); i-- > 0;) {
+        for (std::size_t const cause : story.steps[i].because) {
+            bool const idle = isPull(story.steps[i].kind) && proofs[i] == Proof::refuted;
+            leads[cause] = leads[cause] || (leads[i] && !idle);
+        }
+    }
+    return leads;
+}
+
+/// The steps that are shown: what was confirmed by a run without it, what leads from there to the asked step,
+/// and what it follows from directly; the ground only if it is asked for, or nothing else is known.
+std::vector<bool> shownSteps(Story const& story, std::vector<Proof> const& proofs,
+                             std::vector<Candidate> const& candidates, SceneFacts const& facts,
                              bool everything) {
     std::vector<bool> shown(story.steps.size());
+    std::vector<bool> confirmable = leadingSteps(story, proofs);
+    for (Candidate const& candidate : candidates) {
+        for (std::size_t const i : candidate.steps) {
+            confirmable[i] = true;
+        }
+    }
     shown[story.asked] = true;
     bool any = false;
     for (std::size_t i = 0; i < story.steps.size(); ++i) {
-        bool const known = proofs[i] == Proof::confirmed || proofs[i] == Proof::together;
+        bool const known = confirmable[i] && (proofs[i] == Proof::confirmed || proofs[i] == Proof::together);
         bool const told = known && (everything || !isGround(story.steps[i], story, facts));
         shown[i] = shown[i] || told;
         any = any || (told && i != story.asked);
     }
     for (std::size_t i = 0; i < story.steps.size() && !any; ++i) {
         shown[i] = shown[i] || proofs[i] == Proof::confirmed || proofs[i] == Proof::together;
+    }
+    for (std::size_t i = 0; i < story.steps.size(); ++i) {
+        if (shown[i] && story.steps[i].kind == StepKind::apart) {
+            for (std::size_t const cause : story.steps[i].because) {
+                bool const pull = isPull(story.steps[cause].kind) && proofs[cause] == Proof::traced;
+                shown[cause] = shown[cause] || pull;
+            }
+        }
     }
     for (std::size_t const i : story.askedStep().because) {
         if (proofs[i] != Proof::refuted && (everything || !any || !isGround(story.steps[i], story, facts))) {
@@ -66,8 +112,8 @@ std::vector<StepSet> nearestShown(Story const& story, std::vector<bool> const& s
 }
 
 /// Leaves out of several contacts of a pair that follow from each other, as when something bounces, all but
-/// the last. A contact from which the later one follows by way of other steps, as that of a doorbell's
-/// striker, is no bounce.
+/// the last, and of pulls by a magnet that was switched on again at once. A contact from which the later one
+/// follows by way of other steps, as that of a doorbell's striker, is no bounce.
 void joinBounces(Story const& story, std::vector<bool>& shown) {
     std::vector<StepSet> const nearest = nearestShown(story, shown);
     std::vector<StepSet> ancestors(story.steps.size());
@@ -80,10 +126,11 @@ void joinBounces(Story const& story, std::vector<bool>& shown) {
     for (std::size_t i = 0; i < story.steps.size(); ++i) {
         for (std::size_t const cause : nearest[i]) {
             Step const& before = story.steps[cause];
-            bool const same = shown[i] && story.steps[i].kind == StepKind::contact &&
-                              before.kind == StepKind::contact && before.objects == story.steps[i].objects;
+            StepKind const kind = story.steps[i].kind;
+            bool const same = shown[i] && (kind == StepKind::contact || isPull(kind)) &&
+                              before.kind == kind && before.objects == story.steps[i].objects;
             if (same && std::none_of(nearest[i].begin(), nearest[i].end(), [&](std::size_t other) {
-                    return story.steps[other].kind != StepKind::contact && ancestors[other].contains(cause);
+                    return story.steps[other].kind != kind && ancestors[other].contains(cause);
                 })) {
                 shown[cause] = false;
             }
@@ -174,9 +221,10 @@ void connect(Story& story, SecondRuns::Tested const& tested) {
     }
 }
 
-void tell(Answer& answer, Target const& target, std::vector<Proof> const& proofs, bool everything) {
+void tell(Answer& answer, Target const& target, std::vector<Proof> const& proofs,
+          std::vector<Candidate> const& candidates, bool everything) {
     Story const& story = target.story;
-    std::vector<bool> shown = shownSteps(story, proofs, answer.facts, everything);
+    std::vector<bool> shown = shownSteps(story, proofs, candidates, answer.facts, everything);
     joinBounces(story, shown);
     joinDips(story, shown);
     std::vector<StepSet> const causes = shownCauses(story, shown);
@@ -203,7 +251,8 @@ void tell(Answer& answer, Target const& target, std::vector<Proof> const& proofs
         answer.confirmed = answer.confirmed && (!root || known);
         answer.chain.push_back(std::move(made));
     }
-    foldRepeats(answer.chain);
+    joinPulls(answer.chain, answer.facts);
+    foldRepeats(answer.chain, answer.facts);
 }
 
 } // namespace
@@ -236,11 +285,12 @@ Answer why(LevelRuns const& runs, Solution const& solution, Question const& ques
     std::vector<Candidate> const candidates =
         candidatesOf(target.story, answer.facts, solution, options.everything);
     SecondRuns second(runs, solution, target, answer.facts, options);
-    SecondRuns::Tested const tested = second.test(candidates);
+    SecondRuns::Tested tested = second.test(candidates);
     answer.runs += second.runs();
     answer.complete = second.complete();
     connect(target.story, tested);
-    tell(answer, target, tested.proofs, options.everything);
+    keepWhatPartedObjects(target.story, tested.proofs);
+    tell(answer, target, tested.proofs, candidates, options.everything);
     return answer;
 }
 

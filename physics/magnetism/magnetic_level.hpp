@@ -2,8 +2,11 @@
 #pragma once
 
 #include "physics/dynamics/properties/force_lag.hpp"
+#include "physics/magnetism/magnetic_actions.hpp"
 #include "physics/magnetism/magnetic_points.hpp"
 #include "runtime/component/dps.hpp"
+
+#include <cstdint>
 
 namespace trembler {
 
@@ -27,18 +30,19 @@ public:
     using Activation = NeedsAll<Magnet, MagneticStrength, Position>;
     static constexpr int longestPeriod =
         4; // held for longer, the force is no longer an approximation of the same physics
-    static constexpr Coverage memory = leftOut("refilled in each update");
+    static constexpr Coverage memory = leftOut("refilled in each update, or for traces only");
 
     void update(Access& access) {
         auto const& settings = access.template read<MagnetismSettings>();
         bool const ahead = settings.empty() || settings.values().front().lookAhead;
         double const lag = ahead ? access.template read<ForceLag>().ofTurn() : 0;
-        points_.gather({access.template read<Position>(), access.template read<Rotation>(),
-                        access.template read<Velocity>(), access.template read<AngularVelocity>(),
-                        access.template read<Mass>(), access.template read<Shape>(),
-                        access.template read<MagneticPoles>(), access.template read<MagneticStrength>(),
-                        access.template read<Magnet>()},
-                       lag);
+        MagneticColumns const columns{
+            access.template read<Position>(),      access.template read<Rotation>(),
+            access.template read<Velocity>(),      access.template read<AngularVelocity>(),
+            access.template read<Mass>(),          access.template read<Shape>(),
+            access.template read<MagneticPoles>(), access.template read<MagneticStrength>(),
+            access.template read<Magnet>()};
+        points_.gather(columns, lag);
         if (points_.active()) {
             for (MagneticSum const sum :
                  {MagneticSum::polesOnPoles, MagneticSum::softOnPoles, MagneticSum::polesOnSoft}) {
@@ -49,12 +53,27 @@ public:
             }
         }
         auto& into = access.template derive<MagneticForce>();
-        points_.exportForces(access.template read<MagnetSwitching>().byIndex, into);
+        points_.exportForces(into);
         into.foreseen = ahead;
+        if (access.tracing()) [[unlikely]] {
+            bool const switched = columns.magnets.version() != magnets_;
+            if (++sinceFollowed_ >= followPeriod || switched) {
+                sinceFollowed_ = 0;
+                magnets_ = columns.magnets.version();
+                followActions(
+                    points_, columns, access.template read<MagnetSwitching>().byIndex,
+                    [&](std::string_view what, std::span<ObjectId const> objects,
+                        std::span<EventId const> causes) { return access.event(what, objects, causes); },
+                    into);
+            }
+            nameCauses(into);
+        }
     }
 
 private:
     MagneticPoints points_;
+    std::uint64_t magnets_ = 0;        // version of the column when actions were followed last
+    int sinceFollowed_ = followPeriod; // updates
 };
 
 } // namespace trembler

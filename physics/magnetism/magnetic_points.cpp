@@ -125,24 +125,15 @@ MagneticTotals MagneticPoints::totals(MagneticSum sum) {
                                            : MagneticTotals{onPoles_, poleStiffness_};
 }
 
-ObjectId MagneticPoints::strongest(MagneticSum sum, std::size_t receiver) const {
-    inverse_square::Points const& from = sources(sum);
-    inverse_square::Points const& on = receivers(sum);
-    double most = -1;
-    ObjectId found;
-    for (std::size_t j = 0; j < from.size(); ++j) {
-        if (from.owner[j] != on.owner[receiver]) {
-            Vec2 const force = poleForce(from.at(j) - on.at(receiver), 1, from.weight[j]);
-            if (lengthSquared(force) > most) {
-                most = lengthSquared(force);
-                found = poleObjects_[j];
-            }
-        }
-    }
-    return found;
+std::span<ObjectId const> MagneticPoints::sourceObjects(MagneticSum sum) const {
+    return sum == MagneticSum::softOnPoles ? softObjects_ : poleObjects_;
 }
 
-void MagneticPoints::exportForces(std::span<EventId const> switching, MagneticForce& into) const {
+std::span<ObjectId const> MagneticPoints::receiverObjects(MagneticSum sum) const {
+    return sum == MagneticSum::polesOnSoft ? softObjects_ : poleObjects_;
+}
+
+void MagneticPoints::exportForces(MagneticForce& into) const {
     auto& forces = into.forces;
     forces.clear();
     into.rates.clear();
@@ -150,21 +141,11 @@ void MagneticPoints::exportForces(std::span<EventId const> switching, MagneticFo
     if (!active()) {
         return;
     }
-    auto const causeOf = [&](MagneticSum sum, std::size_t receiver, ObjectId self) {
-        if (switching.empty()) {
-            return EventId{};
-        }
-        ObjectId from = strongest(sum, receiver);
-        from = from.valid() ? from : self;
-        return from.valid() && from.index < switching.size() ? switching[from.index] : EventId{};
-    };
     for (std::size_t i = 0; i < poleObjects_.size(); ++i) {
-        forces.push_back({poleObjects_[i], poles_.at(i) - poleShifts_[i], onPoles_[i],
-                          causeOf(MagneticSum::polesOnPoles, i, poleObjects_[i])});
+        forces.push_back({poleObjects_[i], poles_.at(i) - poleShifts_[i], onPoles_[i], {}});
     }
     for (std::size_t i = 0; i < softObjects_.size(); ++i) {
-        forces.push_back({softObjects_[i], soft_.at(i) - softShifts_[i], onSoft_[i],
-                          causeOf(MagneticSum::polesOnSoft, i, ObjectId{})});
+        forces.push_back({softObjects_[i], soft_.at(i) - softShifts_[i], onSoft_[i], {}});
     }
     std::inplace_merge(
         forces.begin(), forces.begin() + static_cast<std::ptrdiff_t>(poleObjects_.size()), forces.end(),

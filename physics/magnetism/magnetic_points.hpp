@@ -54,21 +54,22 @@ public:
     /// The receivers' weights include µ0/4π and all signs, so that the sum is the force in N.
     [[nodiscard]] inverse_square::Points const& sources(MagneticSum sum) const;
     [[nodiscard]] inverse_square::Points const& receivers(MagneticSum sum) const;
+    /// The object of each source, and of each receiver; ascending.
+    [[nodiscard]] std::span<ObjectId const> sourceObjects(MagneticSum sum) const;
+    [[nodiscard]] std::span<ObjectId const> receiverObjects(MagneticSum sum) const;
     /// The totals of a sum, in the order of the receivers. polesOnPoles and softOnPoles share one.
     [[nodiscard]] MagneticTotals totals(MagneticSum sum);
 
     /// Entries ascending by object, north before south, and how fast the forces on each object vary: a force
     /// on a pole, of stiffness k and at a distance a from the centre of mass, swings a body of mass m and
     /// moment of inertia I with ω² = k (1/m + a²/I); the sum over all poles of a body is at least the square
-    /// of its fastest swing, and at most three times as much. `switching`: events by object index, empty
-    /// without tracing; with it, the strongest pull is searched among all sources, O(n²).
-    void exportForces(std::span<EventId const> switching, MagneticForce& into) const;
+    /// of its fastest swing, and at most three times as much. Sets neither causes nor actions.
+    void exportForces(MagneticForce& into) const;
 
 private:
     void findSpreads(MagneticColumns const& columns);
     void exportRates(MagneticForce& into) const;
     void exportBrakes(MagneticForce& into) const;
-    [[nodiscard]] ObjectId strongest(MagneticSum sum, std::size_t receiver) const;
 
     std::vector<MassProperties> spreads_; // by row of MagneticStrength
     std::uint64_t spreadsVersion_ = 0;    // of the columns that they were made from

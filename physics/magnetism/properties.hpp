@@ -185,7 +185,7 @@ struct MagneticForce {
         ObjectId object;
         Vec2 point;    ///< m, in the world
         Vec2 force;    ///< N
-        EventId cause; ///< switched on the magnet with the strongest pull; none without tracing
+        EventId cause; ///< event of the strongest of the actions on the object; none without tracing
         template <class Self, class Visitor>
         static void describe(Self& self, Visitor&& visit) {
             visit(FieldInfo{.key = "object", .unit = "", .meaning = "object on which it acts"}, self.object);
@@ -225,10 +225,19 @@ struct MagneticForce {
                   self.angular);
         }
     };
+    /// What one object does to another one that can move, see followActions().
+    struct Action {
+        ObjectId object;
+        ObjectId by;      ///< the magnet, or the iron to which a magnet is drawn
+        double force = 0; ///< N, sum of the amounts at all points of `object`
+        bool push = false;
+        EventId event; ///< its beginning
+    };
     std::vector<Entry> forces;
-    std::vector<Rate> rates;   ///< of objects with a mass, ascending
-    std::vector<Brake> brakes; ///< of soft objects with a mass that a pole acts on, ascending
-    bool foreseen = false;     ///< whether forces are computed for the objects' later places
+    std::vector<Action> actions; ///< while tracing only; ascending by object, then by the acting object
+    std::vector<Rate> rates;     ///< of objects with a mass, ascending
+    std::vector<Brake> brakes;   ///< of soft objects with a mass that a pole acts on, ascending
+    bool foreseen = false;       ///< whether forces are computed for the objects' later places
 
     template <class Self, class Visitor>
     static void describe(Self& self, Visitor&& visit) {

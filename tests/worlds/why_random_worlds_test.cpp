@@ -156,6 +156,11 @@ std::vector<LeftOut> withoutStep(Step const& step, SceneFacts const& facts, Solu
         return {withoutInput(0), withoutInput(1), withoutInput(2)};
     case StepKind::cut:
         return {withoutInput(solution.inputs.size() - 1)};
+    case StepKind::pull:
+    case StepKind::push: // from the start; an earlier pull of its magnet need not be in the chain
+        return facts.magnets.contains(step.objects.back()) && step.frame == 1
+                   ? std::vector{withoutDevice(step.objects.back(), 1)}
+                   : std::vector<LeftOut>{};
     default:
         return {};
     }
@@ -171,7 +176,7 @@ void expectTrueCauses(LevelRuns const& runs, Solution const& solution, CheckedKi
         for (std::size_t i = 0; i < events.size(); ++i) {
             auto const kind = kindOf(events[i]);
             if (kind == StepKind::contact || kind == StepKind::on || kind == StepKind::off ||
-                kind == StepKind::pull) {
+                (kind && isPull(*kind))) {
                 number = i + 1;
             }
         }
@@ -195,7 +200,8 @@ void expectTrueCauses(LevelRuns const& runs, Solution const& solution, CheckedKi
         ChainStep const& one = answer.chain[i];
         for (std::size_t const cause : one.step.because) {
             EXPECT_LT(cause, i);
-            EXPECT_LE(answer.chain[cause].step.frame, one.step.frame);
+            Step const& before = answer.chain[cause].step;
+            EXPECT_LE(before.frame + (isPull(before.kind) ? 1 : 0), one.step.frame);
         }
         if (!one.step.traced) {
             EXPECT_TRUE(one.proof == Proof::confirmed || one.proof == Proof::together)

@@ -13,7 +13,7 @@
 namespace trembler::insight {
 namespace {
 
-/// What a step says about the state of an object; a pull or a touch that ended says nothing.
+/// Whether a step says something about the state of an object.
 bool tellsState(StepKind kind) {
     return kind != StepKind::goal && kind != StepKind::other;
 }
@@ -41,8 +41,11 @@ Event const& eventOf(std::span<Event const> events, std::string const& object, d
     Event const* found = nullptr;
     for (Event const& event : events) {
         auto const kind = kindOf(event);
+        // A pull is about the object, not about its magnet.
+        auto const end =
+            kind && isPull(*kind) && !event.objects.empty() ? event.objects.begin() + 1 : event.objects.end();
         if (event.frame <= last && kind && tellsState(*kind) &&
-            std::find(event.objects.begin(), event.objects.end(), object) != event.objects.end()) {
+            std::find(event.objects.begin(), end, object) != end) {
             found = &event;
         }
     }
@@ -169,6 +172,7 @@ Target findTarget(LevelRuns const& runs, Solution const& solution, Question cons
     };
     observer.frame = [&](LevelRun const& run) {
         target.places.look(run.world());
+        answer.facts.pulls.look(run.world(), answer.facts.tied);
         if (meter != nullptr) {
             meter->look(run.world());
         }

@@ -23,18 +23,26 @@ struct Block {
     [[nodiscard]] std::size_t last() const { return begin + period * (times - 1); }
 };
 
-bool isSame(ChainStep const& a, ChainStep const& b) {
-    return a.step.kind == b.step.kind && a.step.what == b.step.what && a.step.objects == b.step.objects &&
-           a.proof == b.proof && !isDeed(a.step.kind);
+bool isSame(ChainStep const& a, ChainStep const& b, SceneFacts const& facts) {
+    auto const alike = [&](std::string const& one, std::string const& other) {
+        auto const role = facts.roles.find(one);
+        auto const otherRole = facts.roles.find(other);
+        return one == other || (role != facts.roles.end() && otherRole != facts.roles.end() &&
+                                role->second == otherRole->second);
+    };
+    return a.step.kind == b.step.kind && a.step.what == b.step.what && a.proof == b.proof &&
+           !isDeed(a.step.kind) &&
+           std::equal(a.step.objects.begin(), a.step.objects.end(), b.step.objects.begin(),
+                      b.step.objects.end(), alike);
 }
 
 /// The repetition that begins there and takes in the most steps; of none times if there is none.
-Block blockAt(std::vector<ChainStep> const& chain, std::size_t begin) {
+Block blockAt(std::vector<ChainStep> const& chain, std::size_t begin, SceneFacts const& facts) {
     Block best{begin, 0, 0};
     for (std::size_t period = 1; period <= longestCycle && begin + period < chain.size(); ++period) {
         std::size_t same = 0; // steps equal to the step one period before
         while (begin + period + same < chain.size() &&
-               isSame(chain[begin + same], chain[begin + period + same])) {
+               isSame(chain[begin + same], chain[begin + period + same], facts)) {
             ++same;
         }
         Block const block{begin, period, 1 + same / period};
@@ -48,7 +56,7 @@ Block blockAt(std::vector<ChainStep> const& chain, std::size_t begin) {
 } // namespace
 } // namespace fold_repeats
 
-void foldRepeats(std::vector<ChainStep>& chain) {
+void foldRepeats(std::vector<ChainStep>& chain, SceneFacts const& facts) {
     using fold_repeats::Block;
     std::vector<ChainStep> folded;
     std::vector<std::set<std::size_t>> standsFor(
@@ -64,7 +72,7 @@ void foldRepeats(std::vector<ChainStep>& chain) {
         folded.back().step.because.assign(because.begin(), because.end());
     };
     for (std::size_t i = 0; i < chain.size();) {
-        Block const block = fold_repeats::blockAt(chain, i);
+        Block const block = fold_repeats::blockAt(chain, i, facts);
         if (block.times == 0) {
             keep(i++);
             continue;

@@ -4,13 +4,16 @@
 #include "physics/dynamics/properties/body.hpp"
 #include "physics/dynamics/properties/joint.hpp"
 #include "physics/electricity/properties/electrical.hpp"
+#include "physics/magnetism/properties.hpp"
 #include "physics/motor/properties.hpp"
 #include "puzzle/goals/words/lamp.hpp"
 #include "runtime/placement.hpp"
 
 #include <cstdint>
 #include <numeric>
+#include <optional>
 #include <span>
+#include <utility>
 
 namespace trembler::insight {
 namespace {
@@ -54,6 +57,41 @@ std::map<std::string, std::size_t> tiedIn(Store const& store) {
     return tied;
 }
 
+/// The roles of what is welded to wheels.
+std::map<std::string, std::size_t> rolesIn(Store const& store) {
+    std::set<ObjectId> wheels;
+    auto const* const joints = store.findColumn<Joint>();
+    std::span<ObjectId const> const all = joints == nullptr ? std::span<ObjectId const>() : joints->owners();
+    for (ObjectId const id : all) {
+        Joint const& joint = *joints->find(id);
+        if (joint.form == JointForm::hinge) {
+            wheels.insert({joint.a, joint.b});
+        }
+    }
+    std::map<std::pair<ObjectId, std::uint32_t>, std::set<ObjectId>> alike; // by wheel and part
+    for (ObjectId const id : all) {
+        Joint const& joint = *joints->find(id);
+        for (auto const& [piece, wheel] : {std::pair{joint.a, joint.b}, std::pair{joint.b, joint.a}}) {
+            bool const welded = joint.form == JointForm::weld && piece.valid() && wheel.valid();
+            auto const part = welded ? store.originOf(piece).prototype : std::nullopt;
+            if (part && wheels.contains(wheel)) {
+                alike[{wheel, *part}].insert(piece);
+            }
+        }
+    }
+    std::map<std::string, std::size_t> roles;
+    std::size_t number = 0;
+    for (auto const& [key, pieces] : alike) {
+        ++number;
+        for (ObjectId const piece : pieces) {
+            if (pieces.size() > 1) {
+                roles.emplace(store.nameOf(piece), number);
+            }
+        }
+    }
+    return roles;
+}
+
 } // namespace
 
 SceneFacts factsOf(LevelRun const& run) {
@@ -64,7 +102,9 @@ SceneFacts factsOf(LevelRun const& run) {
     facts.conductors = ownersOf<Conductor>(store);
     facts.conductors.merge(ownersOf<SoundSensor>(store));
     facts.motors = ownersOf<ElectricMotor>(store);
+    facts.magnets = ownersOf<Magnet>(store);
     facts.tied = tiedIn(store);
+    facts.roles = rolesIn(store);
     if (auto const* const positions = store.findColumn<Position>()) {
         for (ObjectId const id : positions->owners()) {
             std::string const name = store.nameOf(id);

@@ -14,13 +14,15 @@ struct KindName {
     std::string_view event;
     StepKind kind;
 };
-constexpr std::array<KindName, 13> namedKinds{{{"contact begun", StepKind::contact},
+constexpr std::array<KindName, 15> namedKinds{{{"contact begun", StepKind::contact},
                                                {"contact brief", StepKind::contact},
                                                {"contact ended", StepKind::apart},
                                                {"on", StepKind::on},
                                                {"off", StepKind::off},
                                                {"magnet on", StepKind::magnetOn},
                                                {"magnet off", StepKind::magnetOff},
+                                               {"attracted", StepKind::pull},
+                                               {"repelled", StepKind::push},
                                                {"enters the liquid", StepKind::liquid},
                                                {"grabbed", StepKind::grabbed},
                                                {"released", StepKind::released},
@@ -29,6 +31,13 @@ constexpr std::array<KindName, 13> namedKinds{{{"contact begun", StepKind::conta
                                                {"leaves the liquid", StepKind::other}}};
 
 using Names = std::vector<std::string>;
+
+/// Whether an event is the call by which magnetic forces act. It is held, and recorded once, while magnets
+/// begin and cease to act on its object.
+bool isMagneticCall(Event const& event) {
+    return event.phase == Phase::interaction && event.component == "Dynamics <- Magnetic Forces" &&
+           event.event == "addForceToPoint";
+}
 
 /// Gathers the causes of each event in the trace, in one pass.
 class Reader {
@@ -47,8 +56,12 @@ public:
                     continue;
                 }
                 auto const place = static_cast<std::size_t>(at - events_.begin());
-                if (kindOf(*at)) {
-                    all[i].insert(place);
+                if (isMagneticCall(*at) && !facts_.pulls.empty()) {
+                    addPulls(at->objects.front(), i, all[i]);
+                } else if (kindOf(*at)) {
+                    if (!isIdle(*at, events_[i])) {
+                        all[i].insert(place);
+                    }
                 } else {
                     all[i].insert(all[place].begin(), all[place].end());
                 }
@@ -59,6 +72,27 @@ public:
     }
 
 private:
+    /// Whether a magnet's pull or push had no part in another event: it is none of the main ones, or, as a
+    /// force acts in the frame after it was computed, it came too late for a goal.
+    [[nodiscard]] bool isIdle(Event const& cause, Event const& effect) const {
+        auto const kind = kindOf(cause);
+        return kind && isPull(*kind) && !facts_.pulls.empty() &&
+               (!facts_.pulls.isMain(cause.id) ||
+                (effect.phase == Phase::goal && cause.frame >= effect.frame));
+    }
+
+    /// Adds what moved an object by magnetic force, up to event i.
+    void addPulls(std::string const& name, std::size_t i, std::set<std::size_t>& causes) const {
+        for (MainPulls::Pull const& pull : facts_.pulls.on(name, events_[i].frame)) {
+            auto const end = events_.begin() + static_cast<long>(i);
+            auto const at = std::lower_bound(events_.begin(), end, pull.event,
+                                             [](Event const& e, EventId id) { return e.id < id; });
+            if (at != end && at->id == pull.event) {
+                causes.insert(static_cast<std::size_t>(at - events_.begin()));
+            }
+        }
+    }
+
     void follow(std::size_t i, std::vector<std::set<std::size_t>>& all) {
         Event const& event = events_[i];
         if (event.event == "connected") {
@@ -92,7 +126,11 @@ private:
                     continue;
                 }
                 if (auto const at = latest_.find(name); at != latest_.end()) {
-                    all[i].insert(at->second.begin(), at->second.end());
+                    if (kindOf(events_[at->second]) == StepKind::contact || facts_.pulls.empty()) {
+                        all[i].insert(at->second);
+                    } else {
+                        addPulls(name, i, all[i]);
+                    }
                 }
                 addImmersions(name, all[i]);
             }
@@ -102,12 +140,14 @@ private:
         } else if (event.event == "leaves the liquid") {
             immersed_.erase(event.objects);
         }
-        if (*kind == StepKind::contact || *kind == StepKind::pull) {
+        if (*kind == StepKind::contact) {
             for (std::string const& name : event.objects) {
                 if (!facts_.fixed.contains(name)) {
-                    latest_[name] = {i};
+                    latest_[name] = i;
                 }
             }
+        } else if (isPull(*kind) && !event.objects.empty()) {
+            latest_[event.objects.front()] = i;
         }
     }
 
@@ -134,13 +174,13 @@ private:
         }
     }
 
-    /// The trace has the beginning of a pull, but not its end. What a magnet pulled off something returned
-    /// there because the magnet was switched off; what it touches besides, it may reach by its momentum.
+    /// What a magnet pulled off something returned there because the magnet was switched off, unless another
+    /// magnet moves it now; what it touches besides, it may reach by its momentum.
     void addReleases(StepKind kind, std::size_t i, std::vector<std::set<std::size_t>>& all) {
         std::vector<std::string> const& objects = events_[i].objects;
-        if (kind == StepKind::pull) {
-            for (std::string const& name : objects) {
-                pulls_[name] = {i, {}, {}};
+        if (isPull(kind)) {
+            if (!objects.empty() && (facts_.pulls.empty() || facts_.pulls.isMain(events_[i].id))) {
+                pulls_[objects.front()] = {i, {}, {}};
             }
         } else if (kind == StepKind::apart) {
             for (std::string const& name : objects) {
@@ -161,11 +201,21 @@ private:
         } else if (kind == StepKind::contact) {
             for (std::string const& name : objects) {
                 auto const pull = pulls_.find(name);
-                if (pull != pulls_.end() && pull->second.end && pull->second.left.contains(objects)) {
+                if (pull != pulls_.end() && pull->second.end && pull->second.left.contains(objects) &&
+                    !isMovedByAnother(name, pull->second.begin, events_[i].frame)) {
                     all[i].insert(*pull->second.end);
                 }
             }
         }
+    }
+
+    /// Whether another magnet than that of a pull acts on the object.
+    [[nodiscard]] bool isMovedByAnother(std::string const& name, std::size_t pull,
+                                        std::uint64_t frame) const {
+        std::vector<MainPulls::Pull> const now = facts_.pulls.on(name, frame);
+        return std::any_of(now.begin(), now.end(), [&](MainPulls::Pull const& other) {
+            return other.acting && other.by != events_[pull].objects.back();
+        });
     }
 
     /// The contacts between objects that are on are causes of all that have just been switched on.
@@ -204,8 +254,8 @@ private:
     SceneFacts const& facts_;
     std::map<Names, std::set<std::size_t>> connected_; // by contacts, at present
     std::set<std::string> on_;
-    std::vector<std::size_t> waiting_; // "on" events of this frame
-    std::map<std::string, std::set<std::size_t>> latest_;
+    std::vector<std::size_t> waiting_;          // "on" events of this frame
+    std::map<std::string, std::size_t> latest_; // contact or pull of each object
     struct Pull {
         std::size_t begin = 0;
         std::optional<std::size_t> end; // of the magnet
@@ -214,6 +264,12 @@ private:
     std::map<std::string, Pull> pulls_;     // the last one of each object
     std::map<Names, std::size_t> immersed_; // objects and the liquids that they are in, at present
 };
+
+/// Whether an event follows from where its objects were placed.
+bool hasPlacements(Event const& event) {
+    auto const kind = kindOf(event);
+    return kind && (*kind == StepKind::contact || isPull(*kind));
+}
 
 } // namespace
 
@@ -233,10 +289,13 @@ std::optional<StepKind> kindOf(Event const& event) {
         return StepKind::goal;
     }
     if (event.phase == Phase::interaction) {
-        bool const magnetic = event.component == "Dynamics <- Magnetic Forces";
-        return magnetic && event.event == "addForceToPoint" ? std::optional(StepKind::pull) : std::nullopt;
+        bool const turning = event.event == "turns fast enough" || event.event == "turns too slowly";
+        return turning ? std::optional(StepKind::other) : std::nullopt;
     }
-    if (event.event == "connected" || event.event == "disconnected" || event.component == "Frame") {
+    static constexpr std::array<std::string_view, 4> between{"connected", "disconnected",
+                                                             "no longer attracted", "no longer repelled"};
+    if (event.component == "Frame" ||
+        std::find(between.begin(), between.end(), event.event) != between.end()) {
         return std::nullopt;
     }
     auto const at = std::find_if(namedKinds.begin(), namedKinds.end(),
@@ -271,7 +330,7 @@ Story storyOf(std::span<Event const> events, EventId asked, SceneFacts const& fa
     }
     std::map<std::size_t, std::size_t> placed; // step of each placement
     for (std::size_t const i : reached) {
-        if (kindOf(events[i]) != StepKind::contact) {
+        if (!hasPlacements(events[i])) {
             continue;
         }
         for (std::string const& name : events[i].objects) {
@@ -296,7 +355,7 @@ Story storyOf(std::span<Event const> events, EventId asked, SceneFacts const& fa
                 because.insert(stepOf.at(cause));
             }
         }
-        if (step.kind == StepKind::contact) {
+        if (hasPlacements(event)) {
             for (std::string const& name : event.objects) {
                 if (auto const at = facts.placementOf.find(name); at != facts.placementOf.end()) {
                     because.insert(placed.at(at->second));

@@ -22,7 +22,7 @@ enum class StepKind : std::uint8_t {
     off,       ///< current ceased to flow through an object
     magnetOn,  ///< a magnet was switched on
     magnetOff, ///< or off
-    pull,      ///< a magnet began to act on an object
+    pull,      ///< a magnet began to pull an object: the object, and the magnet
     liquid,    ///< an object entered a liquid
     grabbed,   ///< the player took hold of an object
     released,  ///< or let go
@@ -30,7 +30,8 @@ enum class StepKind : std::uint8_t {
     removed,   ///< or removed an object
     placed,    ///< the player laid an object there before the start
     wired,     ///< the player connected two objects before the start
-    other,     ///< anything else that a resolver recorded
+    other,     ///< anything else that a person would name
+    push,      ///< a magnet began to push an object away: the object, and the magnet
 };
 
 struct Step {
@@ -57,6 +58,11 @@ struct Story {
     [[nodiscard]] Step const& askedStep() const { return steps[asked]; }
 };
 
+/// Whether a step of this kind is the beginning of what a magnet does to an object.
+[[nodiscard]] constexpr bool isPull(StepKind kind) {
+    return kind == StepKind::pull || kind == StepKind::push;
+}
+
 /// The kind of an event; nothing for a call between components, which no story names, and for a connection,
 /// in whose place the contact is named.
 [[nodiscard]] std::optional<StepKind> kindOf(Event const& event);
@@ -68,8 +74,9 @@ struct Story {
 /// came last, but all contacts that close circuits at that time, and those of one that ends by a new contact
 /// are also the other contacts of what touched, as of a bar that short-circuits it; what moves an object to a
 /// place of a goal is also what last touched or pulled it, and that it dips into a liquid, or something that
-/// joints tie it to does. A contact of a placed object has its placement as a cause. No step is caused by a
-/// later one.
+/// joints tie it to does. What a magnet's force led to follows from the main pulls and pushes on the body at
+/// that time (`SceneFacts::pulls`), wherever on it they act. A contact of a placed object, and a pull on it
+/// or by it, has its placement as a cause. No step is caused by a later one.
 [[nodiscard]] Story storyOf(std::span<Event const> events, EventId asked, SceneFacts const& facts);
 
 } // namespace trembler::insight

@@ -18,14 +18,15 @@ struct KindText {
     std::string_view main;
     std::string_view because;
 };
-constexpr std::array<KindText, 14> kindTexts{
+constexpr std::array<KindText, 15> kindTexts{
     {{StepKind::contact, "{} touches {}", "because {} touches {}"},
      {StepKind::apart, "{} no longer touches {}", "because {} no longer touches {}"},
      {StepKind::on, "current flows through {}", "because current flows through {}"},
      {StepKind::off, "no current flows through {} any more", "because no current flows through {} any more"},
      {StepKind::magnetOn, "{} becomes magnetic", "because {} becomes magnetic"},
      {StepKind::magnetOff, "{} ceases to be magnetic", "because {} ceases to be magnetic"},
-     {StepKind::pull, "a magnet pulls {}", "because a magnet pulls {}"},
+     {StepKind::pull, "{} pulls {}", "because {} pulls {}"},
+     {StepKind::push, "{} pushes {} away", "because {} pushes {} away"},
      {StepKind::liquid, "{} dips into {}", "because {} dips into {}"},
      {StepKind::grabbed, "you took hold of {}", "because you took hold of {}"},
      {StepKind::released, "you let go of {}", "because you let go of {}"},
@@ -158,7 +159,9 @@ Clauses clausesOf(Step const& step, SceneFacts const& facts, std::string const& 
     if (step.kind == StepKind::placed && !objects.empty()) {
         objects.front() = wholeOf(objects.front(), facts);
     }
-    if (objects.size() == 2 && facts.fixed.contains(objects[0]) && !facts.fixed.contains(objects[1])) {
+    if (isPull(step.kind) && objects.size() == 2) {
+        std::swap(objects[0], objects[1]); // the magnet acts
+    } else if (objects.size() == 2 && facts.fixed.contains(objects[0]) && !facts.fixed.contains(objects[1])) {
         std::swap(objects[0], objects[1]); // the moving object touches the resting one
     }
     auto const at = std::find_if(kindTexts.begin(), kindTexts.end(),

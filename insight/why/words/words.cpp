@@ -12,7 +12,7 @@ namespace trembler::insight {
 namespace {
 
 /// Makes the sentences of a chain: from the end back, a sentence for each step with its causes, which go on
-/// in the same sentence as long as there is only one.
+/// in the same sentence as long as there is only one, or only what one magnet does.
 class ChainSentences {
 public:
     ChainSentences(Answer const& answer, std::string const& goal, AnswerLanguage const& language)
@@ -20,7 +20,7 @@ public:
 
     [[nodiscard]] std::vector<std::string> sentences() {
         if (!answer_.chain.empty()) {
-            addSentence(answer_.chain.size() - 1);
+            addSentence({answer_.chain.size() - 1});
         }
         return std::move(sentences_);
     }
@@ -37,14 +37,33 @@ private:
         ChainStep const& one = answer_.chain[step];
         return one.cycle > 0 && cycles_.insert(one.cycle).second ? one.times : 0;
     }
-    void addSentence(std::size_t step) {
-        if (written_[step]) {
+    /// Whether these are the pulls and pushes of one magnet, for the same reasons.
+    [[nodiscard]] bool isOneMagnet(std::vector<std::size_t> const& steps) const {
+        Step const& first = answer_.chain[steps.front()].step;
+        return std::all_of(steps.begin(), steps.end(), [&](std::size_t i) {
+            Step const& step = answer_.chain[i].step;
+            return isPull(step.kind) && step.objects.back() == first.objects.back() &&
+                   step.because == first.because;
+        });
+    }
+    [[nodiscard]] bool isAnyWritten(std::vector<std::size_t> const& steps) const {
+        return std::any_of(steps.begin(), steps.end(), [&](std::size_t i) { return written_[i]; });
+    }
+    /// Of several steps with the same causes.
+    void addSentence(std::vector<std::size_t> const& steps) {
+        if (isAnyWritten(steps)) {
             return;
         }
-        written_[step] = true;
-        std::size_t repeated = newCycle(step);
-        std::string text = capitalised(clauses(step).main);
-        std::vector<std::size_t> next = answer_.chain[step].step.because;
+        std::size_t repeated = 0;
+        std::vector<std::string> subjects;
+        for (std::size_t const step : steps) {
+            written_[step] = true;
+            repeated = std::max(repeated, newCycle(step));
+            subjects.push_back(clauses(step).main);
+        }
+        std::string const between = " " + language_.fill("and", {}) + " ";
+        std::string text = capitalised(fmt::format("{}", fmt::join(subjects, between)));
+        std::vector<std::size_t> next = answer_.chain[steps.front()].step.because;
         if (next.empty() && !sentences_.empty()) {
             return; // it has been named as a cause
         }
@@ -54,14 +73,14 @@ private:
                 causes.push_back(clauses(cause).because);
                 repeated = std::max(repeated, newCycle(cause));
             }
-            text += ", " + fmt::format("{}", fmt::join(causes, " " + language_.fill("and", {}) + " "));
-            if (next.size() > 1 || said == longest || written_[next.front()]) {
+            text += ", " + fmt::format("{}", fmt::join(causes, between));
+            bool const one = next.size() == 1 || isOneMagnet(next);
+            if (!one || said == longest || isAnyWritten(next)) {
                 break;
             }
-            std::size_t const only = next.front();
-            std::vector<std::size_t> const further = answer_.chain[only].step.because;
-            if (!further.empty()) {
-                written_[only] = true;
+            std::vector<std::size_t> const further = answer_.chain[next.front()].step.because;
+            for (std::size_t const cause : next) {
+                written_[cause] = written_[cause] || !further.empty();
             }
             if (further.empty()) {
                 next.clear();
@@ -74,8 +93,14 @@ private:
         }
         sentences_.push_back(text + ".");
         std::sort(next.rbegin(), next.rend());
-        for (std::size_t const cause : next) {
-            addSentence(cause);
+        while (!next.empty()) {
+            auto const others = std::stable_partition(next.begin() + 1, next.end(), [&](std::size_t other) {
+                return isOneMagnet({next.front(), other});
+            });
+            std::vector<std::size_t> together(next.begin(), others);
+            next.erase(next.begin(), others);
+            std::sort(together.begin(), together.end());
+            addSentence(together);
         }
     }
 

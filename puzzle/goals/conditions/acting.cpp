@@ -17,9 +17,9 @@ void collectActing(World const& world, std::vector<ObjectId> const& ids, std::ve
         }
     }
     if (auto const* const magnetic = world.find<MagneticForce>()) {
-        for (MagneticForce::Entry const& entry : magnetic->forces) {
-            if (isOne(entry.object)) {
-                events.push_back(entry.cause);
+        for (MagneticForce::Action const& action : magnetic->actions) {
+            if (isOne(action.object)) {
+                events.push_back(action.event);
             }
         }
     }

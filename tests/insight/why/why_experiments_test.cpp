@@ -1,10 +1,8 @@
 // The thesis's four experiments, and possible actions of a player in them: the answer's chain is that of the
 // thesis's accounts (docs/account.md).
-#include "insight/why/words/words.hpp"
 #include "puzzle/campaign/as_played.hpp"
-#include "runtime/level/read/read_level.hpp"
 #include "runtime/trace/tracer.hpp"
-#include "tests/support/game_data.hpp"
+#include "tests/insight/support/told_experiment.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -15,74 +13,6 @@
 namespace trembler::insight {
 namespace why_experiments {
 namespace {
-
-LevelFile experiment(std::string const& name) {
-    return loadLevel(gameData().registry, gameData().home / "levels/experiments" / (name + ".json"));
-}
-
-Answer answerIn(std::string const& name, std::string const& solution, Question const& question = {},
-                std::uint64_t frames = 0) {
-    LevelFile const level = experiment(name);
-    LevelRuns const runs(gameData(), level);
-    Solution const& asked = *level.findSolution(solution);
-    AskOptions options;
-    options.frames = frames > 0 ? frames : LevelRuns::framesFor(asked);
-    return why(runs, asked, question, options);
-}
-
-Question ofObject(std::string const& object, double at) {
-    Question question;
-    question.object = object;
-    question.at = at;
-    return question;
-}
-
-/// The place of a step with all these objects; the chain's length if there is none.
-std::size_t placeIn(Answer const& answer, StepKind kind, std::vector<std::string> const& objects) {
-    auto const at = std::find_if(answer.chain.begin(), answer.chain.end(), [&](ChainStep const& one) {
-        return one.step.kind == kind && std::all_of(objects.begin(), objects.end(), [&](auto const& name) {
-                   auto const& all = one.step.objects;
-                   return std::find(all.begin(), all.end(), name) != all.end();
-               });
-    });
-    return static_cast<std::size_t>(at - answer.chain.begin());
-}
-
-bool isSure(Answer const& answer, std::size_t place) {
-    return place < answer.chain.size() &&
-           (answer.chain[place].proof == Proof::confirmed || answer.chain[place].proof == Proof::together);
-}
-
-std::string told(Answer const& answer) {
-    std::string all;
-    for (std::string const& sentence : sentencesOf(answer, answer.goal, AnswerLanguage())) {
-        all += sentence + " ";
-    }
-    return all;
-}
-
-void expectEarlierCauses(Answer const& answer) {
-    for (std::size_t i = 0; i < answer.chain.size(); ++i) {
-        for (std::size_t const cause : answer.chain[i].step.because) {
-            ASSERT_LT(cause, i);
-            EXPECT_LE(answer.chain[cause].step.frame, answer.chain[i].step.frame);
-        }
-    }
-}
-
-/// All of these steps are in the answer and proven, none later than the next.
-void expectInOrder(Answer const& answer,
-                   std::vector<std::pair<StepKind, std::vector<std::string>>> const& account) {
-    expectEarlierCauses(answer);
-    std::uint64_t before = 0;
-    for (auto const& [kind, objects] : account) {
-        std::size_t const place = placeIn(answer, kind, objects);
-        ASSERT_LT(place, answer.chain.size()) << objects.front() << ": " << told(answer);
-        EXPECT_TRUE(isSure(answer, place)) << objects.front();
-        EXPECT_GE(answer.chain[place].step.frame, before) << objects.front();
-        before = answer.chain[place].step.frame;
-    }
-}
 
 // A spanner or a steel bar takes the place of the switch in the account, and was laid there.
 TEST(WhyExperiments, AnotherBridgeIsNamedInPlaceOfTheSwitch) {
@@ -149,24 +79,6 @@ TEST(WhyExperiments, ACutWireIsWhyNothingIsLifted) {
         << words;
     EXPECT_NE(words.find(" had been cut"), std::string::npos) << words;
     EXPECT_EQ(words.find("and the switch"), std::string::npos) << "the switch fell onto both: " << words;
-}
-
-TEST(WhyExperiments, TheDynamosLampIsLitBecauseOfTheSwitch) {
-    Answer const answer = answerIn("3d-motor-and-generator", "hands off");
-    ASSERT_TRUE(answer.happened);
-    expectInOrder(answer, {{StepKind::contact, {"object 1", "switch"}},
-                           {StepKind::on, {"motor"}},
-                           {StepKind::on, {"lamp"}},
-                           {StepKind::goal, {"lamp"}}});
-}
-
-// The lamp's own circuit is whole: its dynamo stands still.
-TEST(WhyExperiments, ACutWireInTheMotorsCircuitIsNoGapInTheDynamos) {
-    Answer const answer = answerIn("3d-motor-and-generator", "cut the wire before the switch falls");
-    EXPECT_FALSE(answer.happened);
-    std::string const words = told(answer);
-    EXPECT_NE(words.find("the dynamo turned at 0 degrees a second"), std::string::npos) << words;
-    EXPECT_EQ(words.find("between the dynamo and the motor"), std::string::npos) << words;
 }
 
 // Experiment II: the switch closes the circuit, the magnet pulls the striker, which leaves its contact.
@@ -252,24 +164,6 @@ TEST(WhyExperiments, AWoodenClipIsWhyNoCurrentFlows) {
     EXPECT_NE(words.find("between the contact and the striker"), std::string::npos) << words;
     EXPECT_EQ(words.find("object 1 and object 2"), std::string::npos) << words;
     EXPECT_EQ(words.find("and the switch"), std::string::npos) << words;
-}
-
-// Experiment III: "the sliding contact falls onto a spoke and closes a circuit through it", and opens it.
-TEST(WhyExperiments, TheMotorsMagnetIsSwitchedByTheSlidingContact) {
-    Answer const off = answerIn("3-electric-motor", "hands off", ofObject("EM-North", 1), 120);
-    ASSERT_TRUE(off.happened);
-    expectInOrder(off, {{StepKind::contact, {"sliding contact", "spoke 1"}},
-                        {StepKind::off, {"EM-North"}},
-                        {StepKind::magnetOff, {"EM-North"}}});
-}
-
-// "Put the stone block where the spokes have to pass."
-TEST(WhyExperiments, ABlockIsWhyTheMotorStops) {
-    Answer const answer = answerIn("3-electric-motor", "a block in its way");
-    EXPECT_FALSE(answer.happened);
-    std::string const words = told(answer);
-    EXPECT_NE(words.find("Block 1 stood in the way of spoke "), std::string::npos) << words;
-    EXPECT_NE(words.find("Without block 1, the goal would have been met"), std::string::npos) << words;
 }
 
 // Experiment IV: the floats are in the water.

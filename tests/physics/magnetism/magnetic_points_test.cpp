@@ -41,7 +41,7 @@ struct Things {
                                         totals.stiffness);
         }
         MagneticForce found;
-        points.exportForces({}, found);
+        points.exportForces(found);
         return found;
     }
 
@@ -184,23 +184,6 @@ TEST(MagneticPoints, RatesAreThoseOfTheOscillation) {
     things.positions.set(bob, {{0, -0.3}});
     double const yield = 1 / 0.1 + 0.3 * 0.3 / (0.1 * 0.2 * 0.2 / 2);
     EXPECT_NEAR(things.forces().rates.at(0).rate, std::sqrt(stiffness * yield), 1e-9);
-}
-
-TEST(MagneticPoints, EachForceNamesTheSwitchOfTheStrongestMagnet) {
-    Things things;
-    ObjectId const iron = things.thing({}, 0, 0, 50, {});
-    static_cast<void>(things.thing({2, 0}, 0, 1000, 0, {PoleSet::north, {}, {}}));
-    static_cast<void>(things.thing({-1, 0}, 0, 1000, 0, {PoleSet::north, {}, {}}));
-    static_cast<void>(things.forces());
-    std::vector<EventId> const switching{EventId{}, EventId{11}, EventId{12}};
-    MagneticForce found;
-    things.points.exportForces(switching, found);
-    ASSERT_EQ(found.forces.size(), 3U);
-    EXPECT_EQ(found.forces[0].object, iron);
-    EXPECT_EQ(found.forces[0].cause, EventId{12}) << "the nearer one";
-    EXPECT_EQ(found.forces[1].cause, EventId{12}) << "each pole is pushed by the other";
-    EXPECT_EQ(found.forces[2].cause, EventId{11});
-    EXPECT_EQ(things.forces().forces[0].cause, EventId{}) << "without tracing there are no causes";
 }
 
 } // namespace

@@ -25,12 +25,13 @@ std::vector<ChainStep> doorbell(std::size_t times) {
         chain.back().step.frame = chain.size();
     }
     chain.push_back(step(StepKind::pull, "striker", {chain.size() - 1}));
+    chain.back().step.objects.emplace_back("coil");
     return chain;
 }
 
 TEST(FoldRepeats, KeepsTheLastTimeAndWhatLedToTheFirst) {
     std::vector<ChainStep> chain = doorbell(40);
-    foldRepeats(chain);
+    foldRepeats(chain, {});
     ASSERT_EQ(chain.size(), 4U);
     EXPECT_EQ(chain[1].times, 40U);
     EXPECT_EQ(chain[2].times, 40U);
@@ -45,21 +46,53 @@ TEST(FoldRepeats, KeepsTheLastTimeAndWhatLedToTheFirst) {
     answer.chain = chain;
     EXPECT_EQ(
         sentencesOf(answer, "", AnswerLanguage()),
-        std::vector<std::string>{"A magnet pulls the striker, because the coil becomes magnetic, because "
+        std::vector<std::string>{"The coil pulls the striker, because the coil becomes magnetic, because "
                                  "current flows through the coil, because you laid the switch there before "
                                  "the start (and so on, 40 times)."});
 }
 
 TEST(FoldRepeats, LeavesWhatHappensTwiceAndWhatThePlayerDid) {
     std::vector<ChainStep> twice = doorbell(2);
-    foldRepeats(twice);
+    foldRepeats(twice, {});
     EXPECT_EQ(twice.size(), 6U);
     std::vector<ChainStep> grabs;
     for (std::size_t i = 0; i < 5; ++i) {
         grabs.push_back(step(StepKind::grabbed, "crank", {}));
     }
-    foldRepeats(grabs);
+    foldRepeats(grabs, {});
     EXPECT_EQ(grabs.size(), 5U);
+}
+
+// A contact touches one spoke after the other, and switches a coil each time.
+TEST(FoldRepeats, TakesWhatHasTheSameRoleForTheSame) {
+    auto const turns = [](std::size_t count) {
+        std::vector<ChainStep> chain;
+        for (std::size_t i = 0; i < count; ++i) {
+            chain.push_back(step(StepKind::contact, "contact", {}));
+            chain.back().step.objects.push_back("spoke " + std::to_string(i));
+            if (i > 0) {
+                chain.back().step.because = {chain.size() - 2};
+            }
+            chain.push_back(step(StepKind::on, "coil", {chain.size() - 1}));
+        }
+        return chain;
+    };
+    SceneFacts facts;
+    for (std::size_t i = 0; i < 4; ++i) {
+        facts.roles["spoke " + std::to_string(i)] = 1;
+    }
+    facts.roles["spoke 4"] = 2;
+    std::vector<ChainStep> chain = turns(4);
+    foldRepeats(chain, facts);
+    ASSERT_EQ(chain.size(), 2U);
+    EXPECT_EQ(chain[0].times, 4U);
+    EXPECT_EQ(chain[0].step.objects.back(), "spoke 3") << "of the last time";
+    chain = turns(5);
+    foldRepeats(chain, facts);
+    EXPECT_EQ(chain.size(), 4U) << "the last spoke has another role";
+    chain = turns(4);
+    foldRepeats(chain, {});
+    EXPECT_EQ(chain.size(), 8U) << "without roles each spoke is another one";
 }
 
 } // namespace

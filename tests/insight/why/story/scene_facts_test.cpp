@@ -52,5 +52,21 @@ TEST(SceneFacts, TieAThousandLinksWithOneNumberEach) {
     EXPECT_EQ(factsOfChain(1000).tied.size(), 1000U);
 }
 
+// Spokes of two kinds on an axle, and floats of one kind on a raft that no hinge holds.
+TEST(SceneFacts, GiveTheSpokesOfAWheelRoles) {
+    GameData const& data = gameData();
+    auto const rolesOf = [&](char const* name) {
+        LevelFile const file = loadLevel(data.registry, data.home / "levels/experiments" / name);
+        return factsOf(LevelRun(data.registry, data.parts, file, {}, {})).roles;
+    };
+    auto const motor = rolesOf("3-electric-motor.json");
+    ASSERT_EQ(motor.size(), 8U);
+    for (int i = 1; i <= 8; ++i) {
+        EXPECT_EQ(motor.at(fmt::format("spoke {}", i)), motor.at(i <= 4 ? "spoke 1" : "spoke 5")) << i;
+    }
+    EXPECT_NE(motor.at("spoke 1"), motor.at("spoke 5"));
+    EXPECT_TRUE(rolesOf("4-raft.json").empty());
+}
+
 } // namespace
 } // namespace trembler::insight

@@ -47,6 +47,10 @@ TEST(Clauses, InflectWhatTheyName) {
     EXPECT_EQ(said(step(StepKind::off, {"EM-North"})),
               "durch den Elektromagneten Nord fließt kein Strom mehr");
     EXPECT_EQ(said(step(StepKind::magnetOn, {"electromagnet"})), "der Elektromagnet wird magnetisch");
+    EXPECT_EQ(said(step(StepKind::pull, {"iron ball", "electromagnet"})),
+              "der Elektromagnet zieht die Eisenkugel an");
+    EXPECT_EQ(because(step(StepKind::push, {"spoke 4", "base magnet"})),
+              "weil der Grundmagnet Speiche 4 abstößt");
     EXPECT_EQ(because(step(StepKind::contact, {"iron ball", "electromagnet"})),
               "weil die Eisenkugel den Elektromagneten berührt");
     EXPECT_EQ(because(step(StepKind::liquid, {"float", "water body"})),
