@@ -107,7 +107,7 @@ std::vector<Deed> deedsOf(Solution const& solution) {
     return deeds;
 }
 
-Needs needsOf(LevelRuns const& runs, Solution const& solution, std::uint64_t frames) {
+Needs needsOf(LevelRuns const& runs, Solution const& solution, std::uint64_t frames, EffectsToo effects) {
     Needs needs;
     RunResult const whole = runs.run({solution, {}}, {.frames = frames});
     needs.solves = whole.solved;
@@ -115,6 +115,7 @@ Needs needsOf(LevelRuns const& runs, Solution const& solution, std::uint64_t fra
     if (!needs.solves) {
         return needs;
     }
+    needs.leastFrame = needs.frame;
     RunLimits const limits{.frames = patience(needs.frame, frames)};
     std::vector<LeftOut> gone;
     std::vector<Entry> entries = entriesOf(solution);
@@ -123,11 +124,13 @@ Needs needsOf(LevelRuns const& runs, Solution const& solution, std::uint64_t fra
         changed = false;
         for (auto entry = entries.begin(); entry != entries.end();) {
             std::vector<LeftOut> const more = together(gone, entry->parts);
-            if (!runs.run({solution, more}, limits).solved) {
+            RunResult const rest = runs.run({solution, more}, limits);
+            if (!rest.solved) {
                 ++entry;
                 continue;
             }
             gone = more;
+            needs.leastFrame = rest.solvedFrame.value_or(0);
             needs.superfluous.push_back(entry->words);
             entry = entries.erase(entry);
             changed = true;
@@ -135,6 +138,9 @@ Needs needsOf(LevelRuns const& runs, Solution const& solution, std::uint64_t fra
     }
     needs.least = reducedSolution(runs.level(), solution, gone);
     describeLeast(needs);
+    if (effects == EffectsToo::no) {
+        return needs;
+    }
     for (std::string const& effect : dispensableAtWork(runs, needs.least, limits)) {
         bool const needed = !runs.run({needs.least, {withoutEffect(effect)}}, limits).solved;
         (needed ? needs.effects : needs.idleEffects).push_back(effect);
@@ -143,9 +149,10 @@ Needs needsOf(LevelRuns const& runs, Solution const& solution, std::uint64_t fra
 }
 
 std::string toText(Needs const& needs) {
-    return nlohmann::json{{"solves", needs.solves},       {"frame", needs.frame},
-                          {"least", toText(needs.least)}, {"superfluous", needs.superfluous},
-                          {"effects", needs.effects},     {"idle", needs.idleEffects}}
+    return nlohmann::json{{"solves", needs.solves},           {"frame", needs.frame},
+                          {"least", toText(needs.least)},     {"least_frame", needs.leastFrame},
+                          {"superfluous", needs.superfluous}, {"effects", needs.effects},
+                          {"idle", needs.idleEffects}}
         .dump();
 }
 
@@ -156,6 +163,7 @@ Needs needsFrom(std::string const& text, Solution const& solution) {
     needs.frame = all.at("frame").get<std::uint64_t>();
     needs.least = solutionFrom(all.at("least").get<std::string>());
     needs.least.changes = solution.changes;
+    needs.leastFrame = all.at("least_frame").get<std::uint64_t>();
     needs.superfluous = all.at("superfluous").get<std::vector<std::string>>();
     needs.effects = all.at("effects").get<std::vector<std::string>>();
     needs.idleEffects = all.at("idle").get<std::vector<std::string>>();

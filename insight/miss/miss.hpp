@@ -29,6 +29,11 @@ enum class Lack : std::uint8_t {
     touches,  ///< pairs of objects that touch and should not
     held,     ///< 1: a magnet holds an object back from where it should be
     blocked,  ///< 1: an object stands in the way of another one
+    unpushed, ///< N, of a push that would close the contact of something that nothing pushes
+    push,     ///< N, that something pushed is pushed too weakly for its contact to close
+    grab,     ///< 1: the player took hold of an object, without which the goal is nearer
+    cut,      ///< 1: the player cut the wire between two objects, without which the goal is nearer
+    removal,  ///< 1: the player removed an object, without which the goal is nearer
     absent,   ///< 1: there is no object that another one should touch
     change,   ///< 1: the state is the opposite one, and there is no measure of how near it is
 };
@@ -41,8 +46,8 @@ struct Miss;
 /// `by` stood in the way of `blocked`, by their names.
 [[nodiscard]] Miss missOfBlocked(std::string by, std::string blocked);
 
-/// What a run with the gaps of a circuit closed, by wires, or without what stood in the way, showed about the
-/// goal.
+/// What a run with the gaps of a circuit closed, by wires, with a push, or without what stood in the way or
+/// the player's deed, showed about the goal.
 enum class IfClosed : std::uint8_t {
     unknown, ///< there was no such run, or it came no nearer
     nearer,  ///< it came nearer to the goal
@@ -72,7 +77,7 @@ struct Miss {
     Vec2 from;                             ///< m, in the world: distance, from here ...
     Vec2 to;                               ///< ... to here
     std::vector<CircuitGap> gaps;          ///< of a circuit
-    IfClosed ifClosed = IfClosed::unknown; ///< of these gaps, or of Lack::blocked
+    IfClosed ifClosed = IfClosed::unknown; ///< of these gaps, of a block, a push or a deed
     std::vector<CurrentWay> ways;          ///< of Lack::ways: the connections
     bool tooMany = false;                  ///< of Lack::count: too many, else too few
     std::vector<Miss> besides;             ///< other obstacles, such as a magnet that was off; see Aftermath

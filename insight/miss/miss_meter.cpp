@@ -59,10 +59,8 @@ void MissMeter::keepNearest(std::size_t goal, Miss miss, World const& world) {
 
 void MissMeter::lookAtCircuits(std::size_t goal, World const& world) {
     Circuits& circuits = nearestCircuits_[goal];
-    ConditionState const& state = conditionOf(goal).state();
-    if (state.condition().kind->key() == "sequence") {
-        std::size_t const step = conditions::stepsDone(state);
-        if (std::exchange(circuits.step, step) != step) {
+    if (auto const step = conditions::stepsDoneIfAny(conditionOf(goal).state())) {
+        if (std::exchange(circuits.step, *step) != *step) {
             circuits.nearest.clear();
         }
     }

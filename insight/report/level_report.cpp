@@ -81,15 +81,16 @@ private:
         std::vector<Solution> const& solutions = level_.level().solutions;
         std::vector<std::string> keys{fmt::format("hands-off/{}", level_.identity())};
         for (Solution const& solution : solutions) {
-            keys.push_back(
-                fmt::format("recorded/{}/{}/{}", level_.identity(), identityOf(solution), solution.name));
+            keys.push_back(fmt::format("recorded{}/{}/{}/{}", options_.effects ? "" : " without effects",
+                                       level_.identity(), identityOf(solution), solution.name));
         }
         auto const results = workers_.share(keys, [&](std::size_t index) {
             if (index == 0) {
                 return toText(tryOut(level_, {}, {.frames = handsOffWait, .mustFit = false}));
             }
             Solution const& solution = solutions[index - 1];
-            Needs const needs = needsOf(runs_, solution, framesOf(solution));
+            Needs const needs = needsOf(runs_, solution, framesOf(solution),
+                                        options_.effects ? EffectsToo::yes : EffectsToo::no);
             CauseGraph graph;
             if (needs.solves) {
                 graph = causeGraphOf(runs_, needs.least, framesOf(solution));
@@ -186,7 +187,7 @@ private:
 
     void drawMaps() {
         std::vector<SolutionReport*> reports;
-        auto maps = placeMapsOf(level_, solving(reports), options_.mapStep, options_.mapReach, workers_);
+        auto maps = placeMapsOf(level_, solving(reports), options_.map, workers_);
         for (std::size_t i = 0; i < reports.size(); ++i) {
             reports[i]->maps = std::move(maps[i]);
         }

@@ -7,6 +7,7 @@
 #include "insight/kind/cause_graph.hpp"
 #include "insight/kind/kind_difference.hpp"
 #include "insight/report/chains.hpp"
+#include "insight/robustness/place_map.hpp"
 #include "insight/robustness/robustness.hpp"
 #include "insight/search/search.hpp"
 
@@ -20,11 +21,11 @@ namespace trembler::insight {
 
 struct ReportOptions {
     RobustnessOptions robustness = {};
-    int drops = 100;          ///< runs with each single part dropped at random
-    bool chains = true;       ///< why each solution meets the goals
-    bool maps = false;        ///< where each part may lie
-    double mapStep = 0.05;    ///< m
-    int mapReach = 4;         ///< steps to each side
+    int drops = 100;     ///< runs with each single part dropped at random
+    bool effects = true; ///< which effects each solution needs
+    bool chains = true;  ///< why each solution meets the goals
+    bool maps = false;   ///< where each part may lie
+    PlaceMapOptions map = {};
     bool costs = true;        ///< effects' times, and the cheapest ways to compute; not reproducible
     std::uint64_t search = 0; ///< trials in search of other solutions; 0: none
     /// Called with the name of each step of the work, for progress; may be empty.

@@ -16,6 +16,8 @@ Json mapJson(PlaceMap const& map) {
     made["part"] = map.part;
     made["placement"] = map.placement;
     made["step_m"] = map.step;
+    made["recorded"] = {map.row, map.column};
+    made["runs"] = map.runs;
     made["rows"] = map.rows;
     return made;
 }
@@ -52,6 +54,7 @@ Json solutionJson(LevelReport const& report, SolutionReport const& solution) {
     made["needs_deeds"] = solution.needs.deeds;
     made["needs_effects"] = solution.needs.effects;
     made["superfluous"] = solution.needs.superfluous;
+    made["reduced_frame"] = solution.needs.leastFrame;
     made["superfluous_effects"] = solution.needs.idleEffects;
     bool const displaced = solution.robustness.runs > 0;
     made["robustness"] = displaced ? Json(solution.robustness.share()) : Json();
@@ -79,7 +82,7 @@ nlohmann::ordered_json toJson(FoundSolution const& found) {
     made["needs_parts"] = found.needs.parts;
     made["needs_deeds"] = found.needs.deeds;
     made["needs_effects"] = found.needs.effects;
-    made["frame"] = found.needs.frame;
+    made["frame"] = found.needs.leastFrame;
     made["run"] = found.run;
     made["times"] = found.times;
     made["solution"] = writeSolution(found.needs.least);

@@ -92,6 +92,15 @@ std::string chainList(LevelReport const& report) {
     return text.empty() ? text : "\n" + text;
 }
 
+/// "312, –497"
+std::string toldEnds(std::vector<RunEnd> const& ends) {
+    std::string text;
+    for (RunEnd const& end : ends) {
+        text += fmt::format("{}{}{}", text.empty() ? "" : ", ", end.solved ? "" : "–", end.frame);
+    }
+    return text;
+}
+
 std::string section(LevelReport const& report) {
     bool const displaced = std::any_of(report.solutions.begin(), report.solutions.end(),
                                        [](SolutionReport const& one) { return one.robustness.runs > 0; });
@@ -115,8 +124,9 @@ std::string section(LevelReport const& report) {
     text += chainList(report);
     for (SolutionReport const& one : report.solutions) {
         for (PlaceMap const& map : one.maps) {
-            text += fmt::format("\nWhere *{}* may lie in *{}*, in steps of {:.0f} cm:\n\n```\n{}\n```\n",
-                                map.part, one.name, 100 * map.step, fmt::join(map.rows, "\n"));
+            text += fmt::format(
+                "\nWhere *{}* may lie in *{}*, in steps of {:.0f} cm ({} runs):\n\n```\n{}\n```\n", map.part,
+                one.name, 100 * map.step, map.runs, fmt::join(map.rows, "\n"));
         }
     }
     if (report.search) {
@@ -184,6 +194,24 @@ std::string toMarkdownSections(std::vector<LevelReport> const& reports) {
     return text;
 }
 
+std::string toMarkdownRuns(std::vector<LevelReport> const& reports) {
+    std::string text = "| level | displaced, or dropped alone | runs |\n|---|---|---|\n";
+    for (LevelReport const& report : reports) {
+        auto const row = [&](std::string const& what, std::vector<RunEnd> const& ends) {
+            if (!ends.empty()) {
+                text += fmt::format("| {} | {} | {} |\n", inCell(report.level), inCell(what), toldEnds(ends));
+            }
+        };
+        for (SolutionReport const& one : report.solutions) {
+            row(fmt::format("*{}*", one.name), one.robustness.ends);
+        }
+        for (Drop const& drop : report.drops) {
+            row(drop.part + " alone", drop.ends);
+        }
+    }
+    return text;
+}
+
 std::string toMarkdown(std::vector<LevelReport> const& reports) {
     return toMarkdownTable(reports) + toMarkdownSections(reports);
 }
@@ -212,7 +240,8 @@ std::string toWords(LevelReport const& report) {
             text += fmt::format("    why: {}\n", toldChain(report, answer));
         }
         for (PlaceMap const& map : one.maps) {
-            text += fmt::format("    where {} may lie, in steps of {:.0f} cm:\n", map.part, 100 * map.step);
+            text += fmt::format("    where {} may lie, in steps of {:.0f} cm ({} runs):\n", map.part,
+                                100 * map.step, map.runs);
             for (std::string const& row : map.rows) {
                 text += "      " + row + "\n";
             }

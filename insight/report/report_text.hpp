@@ -26,6 +26,9 @@ namespace trembler::insight {
 [[nodiscard]] std::string toMarkdown(std::vector<LevelReport> const& reports);
 /// The sections alone.
 [[nodiscard]] std::string toMarkdownSections(std::vector<LevelReport> const& reports);
+/// A table with a row for each displaced solution and each dropped part: the frame in which each run solved
+/// the level; "–" and the last frame of a run that did not.
+[[nodiscard]] std::string toMarkdownRuns(std::vector<LevelReport> const& reports);
 
 /// For the terminal, a few lines for each level.
 [[nodiscard]] std::string toWords(LevelReport const& report);

@@ -53,7 +53,7 @@ std::vector<Robustness> robustnessOf(LevelUnderTest const& level, std::vector<So
         if (displaced) {
             result = tryOut(level, *displaced, {.frames = patienceFor(solved), .mustFit = false});
         }
-        return nlohmann::json{displaced.has_value(), result.solved, redrawn}.dump();
+        return nlohmann::json{displaced.has_value(), result.solved, redrawn, result.frame}.dump();
     });
     std::vector<Robustness> found(solutions.size());
     for (std::size_t index = 0; index < runs.size(); ++index) {
@@ -62,60 +62,14 @@ std::vector<Robustness> robustnessOf(LevelUnderTest const& level, std::vector<So
         }
         nlohmann::json const parsed = nlohmann::json::parse(*results[index]);
         Robustness& robustness = found[runs[index].solution];
-        robustness.runs += parsed.at(0).get<bool>() ? 1 : 0;
-        robustness.solved += parsed.at(1).get<bool>() ? 1 : 0;
         robustness.redrawn += parsed.at(2).get<int>();
+        if (parsed.at(0).get<bool>()) {
+            robustness.ends.push_back({parsed.at(1).get<bool>(), parsed.at(3).get<std::uint64_t>()});
+            ++robustness.runs;
+            robustness.solved += robustness.ends.back().solved ? 1 : 0;
+        }
     }
     return found;
-}
-
-std::vector<std::vector<PlaceMap>> placeMapsOf(LevelUnderTest const& level,
-                                               std::vector<SolvedBy> const& solutions, double step, int reach,
-                                               Workers& workers) {
-    struct Cell {
-        std::size_t solution;
-        std::size_t placement;
-        int row;
-        int column;
-    };
-    int const side = 2 * reach + 1;
-    std::vector<Cell> cells;
-    std::vector<std::string> keys;
-    std::vector<std::vector<PlaceMap>> maps(solutions.size());
-    for (std::size_t i = 0; i < solutions.size(); ++i) {
-        Solution const& solution = *solutions[i].solution;
-        for (std::size_t p = 0; p < solution.placements.size(); ++p) {
-            maps[i].push_back({solution.placements[p].part, p, step, reach,
-                               std::vector<std::string>(static_cast<std::size_t>(side),
-                                                        std::string(static_cast<std::size_t>(side), '?'))});
-            for (int row = 0; row < side; ++row) {
-                for (int column = 0; column < side; ++column) {
-                    cells.push_back({i, p, row, column});
-                    keys.push_back(fmt::format("map/{}/{}/{}/{}/{}",
-                                               nameInKeys(level, solution, patienceFor(solutions[i])), p,
-                                               step, row - reach, column - reach));
-                }
-            }
-        }
-    }
-    auto const results = workers.share(keys, [&](std::size_t index) {
-        Cell const& cell = cells[index];
-        Solution moved = *solutions[cell.solution].solution;
-        moved.placements[cell.placement].at += Vec2{step * (cell.column - reach), step * (reach - cell.row)};
-        bool const recorded = cell.row == reach && cell.column == reach;
-        return toText(
-            tryOut(level, moved, {.frames = patienceFor(solutions[cell.solution]), .mustFit = !recorded}));
-    });
-    for (std::size_t index = 0; index < cells.size(); ++index) {
-        if (results[index]) {
-            Cell const& cell = cells[index];
-            TrialResult const result = trialFrom(*results[index]);
-            maps[cell.solution][cell.placement]
-                .rows[static_cast<std::size_t>(cell.row)][static_cast<std::size_t>(cell.column)] =
-                !result.fits ? ' ' : (result.solved ? '#' : '.');
-        }
-    }
-    return maps;
 }
 
 std::vector<Drop> randomDrops(LevelUnderTest const& level, int runs, std::uint64_t frames, std::uint64_t seed,
@@ -147,8 +101,12 @@ std::vector<Drop> randomDrops(LevelUnderTest const& level, int runs, std::uint64
     for (std::size_t index = 0; index < results.size(); ++index) {
         if (results[index]) {
             TrialResult const result = trialFrom(*results[index]);
-            drops[index / each].runs += result.fits ? 1 : 0;
-            drops[index / each].solved += result.solved ? 1 : 0;
+            Drop& drop = drops[index / each];
+            if (result.fits) {
+                drop.ends.push_back({result.solved, result.frame});
+                ++drop.runs;
+                drop.solved += result.solved ? 1 : 0;
+            }
         }
     }
     return drops;

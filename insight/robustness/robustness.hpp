@@ -16,10 +16,17 @@ struct RobustnessOptions {
     std::uint64_t seed = 1;
 };
 
+/// How one run ended.
+struct RunEnd {
+    bool solved = false;
+    std::uint64_t frame = 0; ///< in which it solved the level, else the last one
+};
+
 struct Robustness {
     int runs = 0; ///< that were made; fewer than asked for if the work was stopped
     int solved = 0;
-    int redrawn = 0; ///< displacements that no player could have made, see jittered()
+    int redrawn = 0;            ///< displacements that no player could have made, see jittered()
+    std::vector<RunEnd> ends{}; ///< of the runs, in the order of their numbers
 
     /// Of the runs, 0 to 1; 0 if there were none.
     [[nodiscard]] double share() const { return runs == 0 ? 0 : static_cast<double>(solved) / runs; }
@@ -41,27 +48,12 @@ struct SolvedBy {
                                                    std::vector<SolvedBy> const& solutions,
                                                    RobustnessOptions const& options, Workers& workers);
 
-/// Where one part may lie while the others stay in their places: a grid of displacements.
-struct PlaceMap {
-    std::string part;
-    std::size_t placement = 0; ///< its index in the solution
-    double step = 0;           ///< m, between neighbours
-    int reach = 0;             ///< steps to each side: the grid has 2 reach + 1 rows and columns
-    /// From the top row to the lowest, each from left to right: '#' solved, '.' not solved, ' ' it does not
-    /// fit there, '?' not run, because the work was stopped. The middle is the recorded place.
-    std::vector<std::string> rows;
-};
-
-/// One map for each placement of each solution, by solution.
-[[nodiscard]] std::vector<std::vector<PlaceMap>> placeMapsOf(LevelUnderTest const& level,
-                                                             std::vector<SolvedBy> const& solutions,
-                                                             double step, int reach, Workers& workers);
-
 /// How often single parts solve the level when they are dropped anywhere.
 struct Drop {
     std::string part;
     int runs = 0;
     int solved = 0;
+    std::vector<RunEnd> ends{}; ///< of the runs, in the order of their numbers
     [[nodiscard]] double share() const { return runs == 0 ? 0 : static_cast<double>(solved) / runs; }
 };
 

@@ -6,6 +6,7 @@
 #include "insight/run/reduced_level.hpp"
 #include "lua/attach/live_script.hpp"
 #include "lua/attach/register.hpp"
+#include "physics/dynamics/properties/settings.hpp"
 #include "puzzle/data/effects.hpp"
 #include "puzzle/session/playback.hpp"
 #include "runtime/level/json/diagnostic.hpp"
@@ -152,6 +153,12 @@ RunResult LevelRuns::run(Variation const& variation, RunLimits const& limits,
             observer.begin(run);
         }
         run.begin();
+        if (variation.handStrength) {
+            run.alter("hands of another strength", [&](World& world) {
+                ObjectId const owner = world.store().find("world");
+                world.store().column<Hands>().set(owner, {*variation.handStrength});
+            });
+        }
         bool goesOn = true;
         while (goesOn && run.world().frame() < limits.frames &&
                !(limits.stopWhenSolved && run.judge().solved())) {

@@ -5,6 +5,7 @@
 
 #include <compare>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -47,6 +48,8 @@ struct Variation {
     /// leaving it out changes it here.
     Solution solution;
     std::vector<LeftOut> leftOut{};
+    /// N, of each hand, in place of what the level states.
+    std::optional<double> handStrength{};
 };
 
 } // namespace trembler::insight

@@ -25,7 +25,7 @@ std::vector<RecordedKind> recordedKinds(LevelUnderTest const& level, Workers& wo
     }
     auto const results = workers.share(keys, [&](std::size_t index) {
         Solution const& solution = solutions[index];
-        Needs const needs = needsOf(runs, solution, framesOf(solution));
+        Needs const needs = needsOf(runs, solution, framesOf(solution), EffectsToo::no);
         return toText(needs.solves ? causeGraphOf(runs, needs.least, framesOf(solution)) : CauseGraph());
     });
     std::vector<RecordedKind> kinds;
@@ -57,7 +57,17 @@ Solution keptSolution(FoundSolution const& found, std::size_t number) {
         solution.name += before + making;
         before = ", ";
     }
-    solution.frames = static_cast<int>(found.needs.frame + framesAfter);
+    solution.frames = static_cast<int>(found.needs.leastFrame + framesAfter);
+    return solution;
+}
+
+Solution solutionForFile(GameData const& data, LevelFile const& file, FoundSolution const& found,
+                         std::size_t number) {
+    Solution solution = keptSolution(found, number);
+    if (file.demonstration && !file.task.is_null() && !file.goals.is_null()) {
+        LevelRuns const asItIs(data, file);
+        solution.solves = asItIs.run({solution, {}}, {.frames = framesOf(solution)}).solved;
+    }
     return solution;
 }
 

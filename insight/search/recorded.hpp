@@ -26,4 +26,10 @@ struct RecordedKind {
 /// as it takes plus 1 s.
 [[nodiscard]] Solution keptSolution(FoundSolution const& found, std::size_t number);
 
+/// The same for the list of solutions in a level's file, given as it is read from there and not as it is
+/// played: of a demonstration, whose task the solution fulfils, it is expected to reach the goals only if it
+/// does. Runs the level once if it is one. Throws InputError if it cannot be read.
+[[nodiscard]] Solution solutionForFile(GameData const& data, LevelFile const& file,
+                                       FoundSolution const& found, std::size_t number);
+
 } // namespace trembler::insight

@@ -156,15 +156,32 @@ void Marks::lookAtBreaks(World const& world) {
     }
 }
 
-void Marks::remember(World const& world) {
-    Earlier now;
-    auto const* const velocities = world.store().findColumn<Velocity>();
-    for (std::size_t row = 0; velocities != nullptr && row < velocities->size(); ++row) {
-        Vec2 const velocity = velocities->values()[row].value;
-        if (velocity != Vec2{}) {
-            now.velocities.emplace(velocities->owners()[row], velocity);
-        }
+void Marks::Earlier::copyVelocities(Store const& store) {
+    auto const* const column = store.findColumn<Velocity>();
+    if (column == nullptr) {
+        movers.clear();
+        velocities.clear();
+    } else { // two copies of adjacent memory
+        movers.assign(column->owners().begin(), column->owners().end());
+        velocities.assign(column->values().begin(), column->values().end());
     }
+}
+
+Vec2 Marks::Earlier::velocityOf(ObjectId object) const {
+    auto const at = std::lower_bound(movers.begin(), movers.end(), object);
+    return at == movers.end() || *at != object
+               ? Vec2{}
+               : velocities[static_cast<std::size_t>(at - movers.begin())].value;
+}
+
+void Marks::remember(World const& world) {
+    if (!earlier_) {
+        earlier_.emplace();
+    }
+    Earlier& now = *earlier_;
+    now.copyVelocities(world.store());
+    now.dips.clear();
+    now.magnets.clear();
     if (auto const* const immersions = world.find<Immersions>()) {
         for (Immersions::Entry const& entry : immersions->entries) {
             if (entry.liquid.valid()) { // not the air
@@ -176,7 +193,6 @@ void Marks::remember(World const& world) {
     for (std::size_t row = 0; magnets != nullptr && row < magnets->size(); ++row) {
         now.magnets.emplace(magnets->owners()[row], magnets->values()[row].on);
     }
-    earlier_ = std::move(now);
 }
 
 void Marks::lookAtHits(World const& world) {
@@ -184,14 +200,11 @@ void Marks::lookAtHits(World const& world) {
     if (contacts == nullptr) {
         return;
     }
-    auto const velocityOf = [this](ObjectId object) {
-        auto const at = earlier_->velocities.find(object);
-        return at == earlier_->velocities.end() ? Vec2{} : at->second;
-    };
     auto const conducts = [&](ObjectId object) { return world.find<Conductor>(object) != nullptr; };
     for (auto const* const pairs : {&contacts->begun, &contacts->brief}) {
         for (TouchingPair const& pair : *pairs) {
-            bool const isFast = length(velocityOf(pair.a) - velocityOf(pair.b)) >= leastSpeed;
+            bool const isFast =
+                length(earlier_->velocityOf(pair.a) - earlier_->velocityOf(pair.b)) >= leastSpeed;
             if (!isFast || (conducts(pair.a) && conducts(pair.b))) {
                 continue;
             }

@@ -3,6 +3,7 @@
 
 #include "puzzle/goals/goal_judge.hpp"
 #include "runtime/input/player_input.hpp"
+#include "runtime/placement.hpp"
 #include "runtime/trace/event.hpp"
 #include "runtime/world/world.hpp"
 
@@ -88,7 +89,10 @@ private:
     std::map<std::string, bool> blown_;   // fuses
     // The frame before, if it was looked at.
     struct Earlier {
-        std::map<ObjectId, Vec2> velocities; // m/s, of moving objects
+        std::vector<ObjectId> movers;     // ascending, kept from frame to frame for their memory
+        std::vector<Velocity> velocities; // of the movers, m/s
+        void copyVelocities(Store const& store);
+        [[nodiscard]] Vec2 velocityOf(ObjectId object) const;
         std::set<std::pair<ObjectId, ObjectId>> dips;
         std::map<ObjectId, bool> magnets;
     };

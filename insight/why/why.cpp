@@ -2,6 +2,8 @@
 #include "insight/why/runs/candidates.hpp"
 #include "insight/why/runs/held_back.hpp"
 #include "insight/why/runs/in_the_way.hpp"
+#include "insight/why/runs/not_pushed.hpp"
+#include "insight/why/runs/own_deeds.hpp"
 #include "insight/why/runs/question_target.hpp"
 #include "insight/why/runs/second_runs.hpp"
 #include "insight/why/story/fold_repeats.hpp"
@@ -166,10 +168,41 @@ void joinDips(Story const& story, std::vector<bool>& shown) {
     }
 }
 
+/// Whether a cause of a parting only says that the two touched before, or that the one that moved lay on
+/// something fixed besides.
+bool isPresupposed(Step const& cause, Step const& parting, SceneFacts const& facts) {
+    if (parting.kind != StepKind::apart || cause.kind != StepKind::contact) {
+        return false;
+    }
+    return cause.objects == parting.objects ||
+           (std::any_of(cause.objects.begin(), cause.objects.end(),
+                        [&](std::string const& name) { return facts.fixed.contains(name); }) &&
+            std::any_of(cause.objects.begin(), cause.objects.end(), [&](std::string const& name) {
+                return !facts.fixed.contains(name) &&
+                       std::find(parting.objects.begin(), parting.objects.end(), name) !=
+                           parting.objects.end();
+            }));
+}
+
+/// The causes of a step with the causes of what it presupposes in its place; as they are if none are left.
+StepSet withoutPresupposed(Story const& story, std::vector<StepSet> const& causes, std::size_t step,
+                           SceneFacts const& facts) {
+    StepSet left;
+    for (std::size_t const cause : causes[step]) {
+        if (isPresupposed(story.steps[cause], story.steps[step], facts)) {
+            left.insert(causes[cause].begin(), causes[cause].end());
+        } else {
+            left.insert(cause);
+        }
+    }
+    return left.empty() ? causes[step] : left;
+}
+
 /// For each shown step its nearest shown ancestors, without the ancestors from which another one of them
 /// follows. The contacts that close or bridge a circuit are causes side by side: that one came before the
 /// other is no reason for it.
-std::vector<StepSet> shownCauses(Story const& story, std::vector<bool> const& shown) {
+std::vector<StepSet> shownCauses(Story const& story, std::vector<bool> const& shown,
+                                 SceneFacts const& facts) {
     std::size_t const count = story.steps.size();
     std::vector<StepSet> nearest = nearestShown(story, shown);
     for (StepSet& causes : nearest) {
@@ -209,6 +242,7 @@ std::vector<StepSet> shownCauses(Story const& story, std::vector<bool> const& sh
                 result[i].insert(cause);
             }
         }
+        result[i] = withoutPresupposed(story, result, i, facts);
     }
     return result;
 }
@@ -227,7 +261,7 @@ void tell(Answer& answer, Target const& target, std::vector<Proof> const& proofs
     std::vector<bool> shown = shownSteps(story, proofs, candidates, answer.facts, everything);
     joinBounces(story, shown);
     joinDips(story, shown);
-    std::vector<StepSet> const causes = shownCauses(story, shown);
+    std::vector<StepSet> const causes = shownCauses(story, shown, answer.facts);
     std::vector<std::size_t> placeOf(story.steps.size());
     answer.confirmed = true;
     for (std::size_t i = 0; i < story.steps.size(); ++i) {
@@ -279,6 +313,8 @@ Answer why(LevelRuns const& runs, Solution const& solution, Question const& ques
     if (!target.event) {
         addHeldBack(runs, solution, options, answer);
         addInTheWay(runs, solution, options, answer);
+        addNotPushed(runs, solution, options, answer);
+        addOwnDeeds(runs, solution, options, answer);
         return answer; // the nearest miss is in it
     }
     answer.happened = true;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <utility>
+#include <vector>
 
 namespace trembler {
 
@@ -100,12 +101,36 @@ void World::setUp() {
     whole_ = true;
 }
 
+// Only of components that may have run since the last time: looking at all of them would take longer than
+// some frames do.
 void World::gatherTrace() {
-    for (Entry& entry : entries_) {
-        if (entry.component) {
-            for (EventSink& sink : entry.component->sinks()) {
+    auto const gatherFrom = [this](std::size_t index) {
+        if (Component* const component = entries_[index].component.get()) {
+            for (EventSink& sink : component->sinks()) {
                 tracer_->gather(sink);
             }
+        }
+    };
+    std::vector<std::size_t> inside; // interactions that run inside others' turns, which have lower indices
+    for (std::vector<Turn> const& turns : turns_) {
+        bool const last = &turns == &turns_.back();
+        std::sort(inside.begin(), inside.end());
+        auto next = inside.begin();
+        for (Turn const& turn : turns) {
+            if (turn.quiet) {
+                continue; // it has slept
+            }
+            for (; last && next != inside.end() && *next < turn.entry; ++next) {
+                gatherFrom(*next);
+            }
+            gatherFrom(turn.entry);
+            if (!last) {
+                std::vector<std::size_t> const& own = entries_[turn.entry].shortcuts;
+                inside.insert(inside.end(), own.begin(), own.end());
+            }
+        }
+        for (; last && next != inside.end(); ++next) {
+            gatherFrom(*next);
         }
     }
 }

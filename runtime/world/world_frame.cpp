@@ -105,10 +105,10 @@ bool World::anybodyRan() const {
 void World::runPart() {
     notes_ = 0;
     runPhase(ComponentKind::resolver);
-    if (tracer_) {
-        gatherTrace(); // before select(), which may destroy components with their events
-    }
     if (store_.structureVersion() != knownStructure_) {
+        if (tracer_) {
+            gatherTrace(); // select() may destroy components with their events
+        }
         select(); // objects were created or destroyed: the scene may need other components
     }
     runPhase(ComponentKind::dps);

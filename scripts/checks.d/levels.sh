@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
-# Checks that docs/measurements/levels.md agrees with the program on the first chapter, and on the number of solutions and
-# of their kinds for every level, in about a minute; making the whole page takes many minutes. No level may miss the
-# requirements of docs/solving.md for a puzzle: two kinds of solution and none with an empty toolbox, which are computed
-# here, and the results for displaced and dropped parts, which are read from the page.
+# Checks that docs/measurements/levels.md agrees with the program on the first chapter, and for every level on the number of
+# solutions and of their kinds and on the first displaced and dropped runs, frame by frame, in less than a minute; making the
+# whole page takes many minutes. No level may miss the requirements of docs/solving.md for a puzzle: two kinds of solution and
+# none with an empty toolbox, which are computed here, and the shares of all displaced and dropped runs, which are read from
+# the page.
 set -euo pipefail
 if [[ ! -x build/trembler ]]; then
     echo "build/trembler has not been built"
@@ -25,8 +26,11 @@ if [[ -n $short_of ]]; then
     printf 'levels that fall short of what is expected of a puzzle:\n%s\n' "$short_of"
     exit 1
 fi
-kinds() { grep '^| levels/' | cut -d '|' -f 2-4,7; }
-if ! diff -u <(kinds <"$page") <(scripts/levels-report build/trembler --kinds | kinds); then
+tables=$(scripts/levels-report build/trembler --tables)
+kinds() { awk -F'|' '/^\| levels\// && NF == 8' | cut -d '|' -f 2-4,7; }
+first_runs() { grep -E '^\| levels/([^|]*\|){3}$'; }
+if ! diff -u <(kinds <"$page") <(kinds <<<"$tables") ||
+    ! diff -u <(first_runs <"$page") <(first_runs <<<"$tables"); then
     echo "$page is stale: scripts/levels-report build/trembler >$page"
     exit 1
 fi

@@ -24,7 +24,7 @@ void drawFound(GameData const& data, fs::path const& level, insight::FoundSoluti
                KeptFiles const& files) {
     ui::ScreenshotOptions options;
     options.level = level;
-    options.frame = found.needs.frame;
+    options.frame = found.needs.leastFrame;
     options.size = {960, 540};
     options.solution = files.solution.string();
     OutputFile file(files.picture, OutputFile::Content::binary);

@@ -37,9 +37,11 @@ struct ReportArguments {
     bool brief = false;
     bool table = false;
     bool sections = false;
+    bool each = false;
 };
 
-insight::ReportOptions optionsOf(ReportArguments const& arguments) {
+/// `onlyTables`: neither the needed effects nor the chains of causes are shown.
+insight::ReportOptions optionsOf(ReportArguments const& arguments, bool onlyTables) {
     insight::ReportOptions options;
     options.robustness.runs = arguments.runs;
     options.robustness.seed = arguments.seed;
@@ -52,6 +54,9 @@ insight::ReportOptions optionsOf(ReportArguments const& arguments) {
     options.maps = arguments.maps;
     options.costs = !arguments.brief;
     options.search = arguments.search;
+    // What is written nowhere is not found out either.
+    options.chains = !onlyTables;
+    options.effects = !onlyTables;
     return options;
 }
 
@@ -72,7 +77,9 @@ int reportLevels(ReportArguments const& arguments) {
         json = outputs.add("--json", arguments.json);
         markdown = outputs.add("--markdown", arguments.markdown);
     });
-    insight::ReportOptions options = optionsOf(arguments);
+    bool const tables = arguments.markdown && (arguments.table || arguments.each);
+    insight::ReportOptions options =
+        optionsOf(arguments, tables && !arguments.json && arguments.markdown == "-");
     std::vector<insight::LevelReport> reports;
     nlohmann::ordered_json entries = nlohmann::ordered_json::array();
     for (auto const& file : levels) {
@@ -101,7 +108,8 @@ int reportLevels(ReportArguments const& arguments) {
                        << "\n";
     }
     if (markdown != nullptr) {
-        markdown->stream() << (arguments.table      ? insight::toMarkdownTable(reports)
+        markdown->stream() << (arguments.each       ? insight::toMarkdownRuns(reports)
+                               : arguments.table    ? insight::toMarkdownTable(reports)
                                : arguments.sections ? insight::toMarkdownSections(reports)
                                                     : insight::toMarkdown(reports));
     }
@@ -152,8 +160,15 @@ void addReportCommand(CLI::App& program, int& result) {
     command->add_flag("--brief", arguments->brief, "Without costs and the cheapest detail levels");
     CLI::Option* const table =
         command->add_flag("--table", arguments->table, "Of --markdown only the table of all levels");
-    command->add_flag("--sections", arguments->sections, "Of --markdown only the sections of the levels")
-        ->excludes(table);
+    CLI::Option* const sections =
+        command->add_flag("--sections", arguments->sections, "Of --markdown only the sections of the levels")
+            ->excludes(table);
+    command
+        ->add_flag("--each-run", arguments->each,
+                   "Of --markdown only a table of the displaced and dropped runs: in which frame each of "
+                   "them solved the level")
+        ->excludes(table)
+        ->excludes(sections);
     addNumber(*command, "--search", arguments->search, 0, 100'000'000,
               "Runs in search of other solutions, as `trembler solve` does")
         ->default_str("0");

@@ -93,7 +93,8 @@ SearchedLevel searchLevel(insight::LevelUnderTest const& level, std::filesystem:
 }
 
 LevelSummary summaryOf(SearchedLevel const& searched, insight::LevelUnderTest const& level,
-                       SolveArguments const& arguments, Outputs const& outputs, WorkPlace& place) {
+                       SolveArguments const& arguments, Outputs const& outputs, KeptInLevel* inLevel,
+                       WorkPlace& place) {
     insight::SearchResult const& result = searched.search;
     insight::Workers own(
         {.threads = arguments.work.threads}); // not the team, whose other members do not report
@@ -134,8 +135,16 @@ LevelSummary summaryOf(SearchedLevel const& searched, insight::LevelUnderTest co
                           << visible(kept.solution.string()) << "\n";
             }
         }
+        if (inLevel != nullptr) {
+            std::string const name = as.empty() ? inLevel->add(found, i + 1) : std::string();
+            one["added_as"] = name.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(name);
+            line += name.empty() ? "" : fmt::format("\n     added to the level as '{}'", name);
+        }
         all["found"].push_back(std::move(one));
         summary.lines.push_back(std::move(line));
+    }
+    if (inLevel != nullptr) {
+        inLevel->save();
     }
     if (searched.chance) {
         all["random"] = countsOf(*searched.chance);

@@ -1,6 +1,7 @@
 // One level of `trembler solve`: the search for its solutions, and placing at random in comparison.
 #pragma once
 
+#include "game/app/search/kept_in_level.hpp"
 #include "game/app/search/solve_arguments.hpp"
 #include "insight/search/search.hpp"
 
@@ -40,10 +41,11 @@ struct LevelSummary {
     std::vector<std::string> lines; ///< for people, one for each kind of solution
 };
 /// In the leader only. Writes the solutions that were found, if that is requested, in files that replace
-/// none, and none of `outputs`. Throws OutputError.
+/// none, and none of `outputs`, and adds those of kinds that nobody recorded to the level's file, unless
+/// `inLevel` is nullptr. Throws OutputError.
 [[nodiscard]] LevelSummary summaryOf(SearchedLevel const& searched, insight::LevelUnderTest const& level,
                                      SolveArguments const& arguments, Outputs const& outputs,
-                                     WorkPlace& place);
+                                     KeptInLevel* inLevel, WorkPlace& place);
 
 /// "117 of 200 runs solve it, the first one run 5; 2 kinds of solutions"
 [[nodiscard]] std::string countsInWords(insight::SearchResult const& result);

@@ -17,6 +17,7 @@ struct SolveArguments {
     OutputTarget json;
     OutputTarget markdown;
     std::optional<std::string> keep; ///< a folder
+    bool addToLevel = false;         ///< add what nobody recorded to the level's file
     WorkerArguments work;
     std::optional<std::uint64_t> runs; ///< of each level
     std::uint64_t seed = 1;

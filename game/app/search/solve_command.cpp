@@ -88,10 +88,14 @@ int solveLevels(SolveArguments const& arguments) {
     for (auto const& file : files) {
         levels.push_back(std::make_unique<insight::LevelUnderTest>(data.dataFor(file), file));
     }
+    std::vector<std::unique_ptr<KeptInLevel>> inLevels(files.size());
     WorkPlace place(arguments.work);
     OutputFile* json = nullptr;
     OutputFile* markdown = nullptr;
     place.asLeader([&] {
+        for (std::size_t i = 0; arguments.addToLevel && i < files.size(); ++i) {
+            inLevels[i] = std::make_unique<KeptInLevel>(data.dataFor(files[i]), files[i]);
+        }
         json = outputs.add("--json", arguments.json);
         markdown = outputs.add("--markdown", arguments.markdown);
     });
@@ -106,7 +110,8 @@ int solveLevels(SolveArguments const& arguments) {
         if (!place.leads()) {
             continue;
         }
-        LevelSummary summary = summaryOf(searched.back(), *levels[i], arguments, outputs, place);
+        LevelSummary summary =
+            summaryOf(searched.back(), *levels[i], arguments, outputs, inLevels[i].get(), place);
         place.clearProgress();
         if (words && many) {
             outputs.words() << visible(solveLine(searched.back())) << std::endl; // as it comes
@@ -177,6 +182,9 @@ void addSolveCommand(CLI::App& program, int& result) {
             "Write each found solution, for `trembler run --solution`, and a picture of it; no file is "
             "replaced")
         ->type_name("DIR");
+    command->add_flag("--add-to-level", arguments->addToLevel,
+                      "Add found solutions of kinds that nobody recorded to the level's own file; all else "
+                      "in it stays as it is");
     addWorkerOptions(*command, arguments->work);
     addModFolders(*command, arguments->mods);
     command->footer(outputConvention);

@@ -1,8 +1,10 @@
 #include "insight/why/runs/goal_runs.hpp"
 
 #include "insight/why/runs/side_by_side.hpp"
+#include "physics/dynamics/properties/contacts.hpp"
 #include "physics/electricity/properties/electrical.hpp"
 
+#include <algorithm>
 #include <memory>
 
 namespace trembler::insight {
@@ -11,10 +13,24 @@ namespace {
 
 constexpr double clearlyNearer = 0.9; // of the measure
 
+/// False for no pairs.
+bool allTouch(World const& world, std::vector<std::pair<std::string, std::string>> const& pairs) {
+    Contacts const* const contacts = world.find<Contacts>();
+    return contacts != nullptr && !pairs.empty() &&
+           std::all_of(pairs.begin(), pairs.end(), [&](auto const& pair) {
+               ObjectId const a = world.store().find(pair.first);
+               ObjectId const b = world.store().find(pair.second);
+               return std::any_of(contacts->current.begin(), contacts->current.end(),
+                                  [&](TouchingPair const& one) {
+                                      return (one.a == a && one.b == b) || (one.a == b && one.b == a);
+                                  });
+           });
+}
+
 } // namespace
 } // namespace goal_runs
 
-std::vector<GoalRun> GoalRuns::run(std::vector<Variation> const& variations, std::string const& device) {
+std::vector<GoalRun> GoalRuns::run(std::vector<Variation> const& variations, GoalWatch const& watch) {
     auto const stopped = [&] { return options_.stop && options_.stop(); };
     if (!answer_.complete || stopped()) {
         answer_.complete = false;
@@ -22,7 +38,7 @@ std::vector<GoalRun> GoalRuns::run(std::vector<Variation> const& variations, std
     }
     std::vector<GoalRun> results(variations.size());
     sideBySide(variations.size(), threadsFor(options_.threads),
-               [&](std::size_t i) { results[i] = one(variations[i], device); });
+               [&](std::size_t i) { results[i] = one(variations[i], watch); });
     answer_.runs += variations.size();
     bool const goesOn = !options_.progress || options_.progress(answer_.runs, answer_.runs);
     if (!goesOn || stopped()) {
@@ -32,9 +48,10 @@ std::vector<GoalRun> GoalRuns::run(std::vector<Variation> const& variations, std
     return results;
 }
 
-GoalRun GoalRuns::one(Variation const& variation, std::string const& device) const {
+GoalRun GoalRuns::one(Variation const& variation, GoalWatch const& watch) const {
     GoalRun result;
     std::unique_ptr<MissMeter> meter;
+    std::uint64_t touching = 0; // frames in a row
     RunObserver observer;
     observer.begin = [&](LevelRun const& run) {
         meter = std::make_unique<MissMeter>(runs_.level(), run.world());
@@ -43,9 +60,11 @@ GoalRun GoalRuns::one(Variation const& variation, std::string const& device) con
         World const& world = run.world();
         meter->look(world);
         if (auto const* const state = world.find<ElectricalState>(); state != nullptr) {
-            ObjectId const id = world.store().find(device);
+            ObjectId const id = world.store().find(watch.device);
             result.deviceWasOn = result.deviceWasOn || (id.valid() && state->isOn(id));
         }
+        touching = goal_runs::allTouch(world, watch.pairs) ? touching + 1 : 0;
+        result.touched = result.touched || touching >= Aftermath::bounce;
         return !(options_.stop && options_.stop());
     };
     observer.end = [&](LevelRun const&) {

@@ -5,6 +5,7 @@
 #include "insight/why/answer.hpp"
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace trembler::insight {
@@ -16,6 +17,13 @@ struct GoalRun {
     /// goal. False if the run was not possible.
     bool nearer = false;
     bool deviceWasOn = false; ///< whether current flowed through the device in any frame
+    bool touched = false;     ///< whether both objects of each pair touched for longer than a bounce
+};
+
+/// What is looked at in a run besides the goal.
+struct GoalWatch {
+    std::string device{}; ///< by name; empty: none
+    std::vector<std::pair<std::string, std::string>> pairs{};
 };
 
 /// All referenced objects must outlive it.
@@ -27,11 +35,10 @@ public:
         : runs_(runs), goal_(std::move(goal)), measure_(measure), options_(options), answer_(answer) {}
 
     /// Side by side, and counted in the answer. Empty if it was stopped; then the answer is incomplete.
-    [[nodiscard]] std::vector<GoalRun> run(std::vector<Variation> const& variations,
-                                           std::string const& device);
+    [[nodiscard]] std::vector<GoalRun> run(std::vector<Variation> const& variations, GoalWatch const& watch);
 
 private:
-    [[nodiscard]] GoalRun one(Variation const& variation, std::string const& device) const;
+    [[nodiscard]] GoalRun one(Variation const& variation, GoalWatch const& watch) const;
 
     LevelRuns const& runs_;
     std::string goal_;

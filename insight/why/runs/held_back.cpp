@@ -240,7 +240,7 @@ void addHeldBack(LevelRuns const& runs, Solution const& solution, AskOptions con
     GoalRuns again(runs, answer.nearest->id, nearest.measure, options, answer);
     for (Miss* const gap : held_back::gapsIn(nearest.besides)) {
         std::vector<GoalRun> const closed =
-            again.run({held_back::closing(solution, *gap)}, gap->names.front());
+            again.run({held_back::closing(solution, *gap)}, {.device = gap->names.front()});
         gap->ifClosed = closed.empty() ? IfClosed::unknown : held_back::ifClosedIn(closed.front());
     }
     if (nearest.lack != Lack::distance || !answer.complete) {
@@ -256,7 +256,7 @@ void addHeldBack(LevelRuns const& runs, Solution const& solution, AskOptions con
         for (held_back::Barrier const& barrier : suspect.barriers) {
             variations.push_back({solution, barrier.touches});
         }
-        std::vector<GoalRun> const tested = again.run(variations, suspect.miss.names.front());
+        std::vector<GoalRun> const tested = again.run(variations, {.device = suspect.miss.names.front()});
         if (tested.empty()) {
             return; // stopped
         }

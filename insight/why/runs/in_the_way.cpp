@@ -105,7 +105,7 @@ void addInTheWay(LevelRuns const& runs, Solution const& solution, AskOptions con
         return;
     }
     GoalRuns again(runs, answer.nearest->id, nearest.measure, options, answer);
-    std::vector<GoalRun> const tested = again.run(variations, "");
+    std::vector<GoalRun> const tested = again.run(variations, {});
     for (std::size_t i = 0; i < tested.size(); ++i) {
         if (tested[i].nearer) {
             Miss blocked = missOfBlocked(suspects[i].name, suspects[i].blocked);

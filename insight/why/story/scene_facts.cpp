@@ -9,11 +9,14 @@
 #include "puzzle/goals/words/lamp.hpp"
 #include "runtime/placement.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <numeric>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 namespace trembler::insight {
 namespace {
@@ -92,6 +95,47 @@ std::map<std::string, std::size_t> rolesIn(Store const& store) {
     return roles;
 }
 
+/// Whether it is "object" and a number: its author gave it no name of its own.
+bool isNumbered(std::string const& name) {
+    constexpr std::string_view any = "object ";
+    return name.size() > any.size() && name.starts_with(any) &&
+           std::all_of(name.begin() + any.size(), name.end(), [](char c) { return c >= '0' && c <= '9'; });
+}
+
+/// Objects of one part are numbered in the order of the level, with numbers that no other name has.
+std::map<std::string, std::string> spokenNames(Store const& store,
+                                               std::map<std::string, Vec2> const& places) {
+    std::map<std::string, std::vector<ObjectId>> ofPart;
+    if (auto const* const positions = store.findColumn<Position>()) {
+        for (ObjectId const id : positions->owners()) {
+            Origin const origin = store.originOf(id);
+            Prototype const* const part =
+                origin.prototype ? store.prototypes().find(*origin.prototype) : nullptr;
+            if (part != nullptr && isNumbered(store.nameOf(id))) {
+                ofPart[part->name].push_back(id);
+            }
+        }
+    }
+    std::map<std::string, std::string> spoken;
+    for (auto& [part, objects] : ofPart) {
+        std::sort(objects.begin(), objects.end(), [&](ObjectId a, ObjectId b) {
+            return store.originOf(a).number < store.originOf(b).number;
+        });
+        int number = 0;
+        for (ObjectId const id : objects) {
+            std::string name = part;
+            while (objects.size() > 1 || places.contains(name)) {
+                name = part + " " + std::to_string(++number);
+                if (!places.contains(name)) {
+                    break;
+                }
+            }
+            spoken.emplace(store.nameOf(id), name);
+        }
+    }
+    return spoken;
+}
+
 } // namespace
 
 SceneFacts factsOf(LevelRun const& run) {
@@ -117,6 +161,7 @@ SceneFacts factsOf(LevelRun const& run) {
             }
         }
     }
+    facts.spoken = spokenNames(store, facts.places);
     return facts;
 }
 

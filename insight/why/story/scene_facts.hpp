@@ -19,6 +19,8 @@ struct SceneFacts {
     std::set<std::string> lamps;                    ///< see isLamp()
     std::map<std::string, std::size_t> placementOf; ///< objects that were placed, pieces included
     std::map<std::string, Vec2> places;             ///< m, of everything that is somewhere
+    /// What sentences call an object whose name says nothing, as "object 2": by its part, "copper contact 2".
+    std::map<std::string, std::string> spoken;
     /// Of each object that joints connect with others that can move, the number of their group: what moves
     /// one of them moves them all.
     std::map<std::string, std::size_t> tied;

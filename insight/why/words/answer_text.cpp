@@ -60,7 +60,8 @@ std::string toText(Answer const& answer) {
                           {"frames", answer.frames},
                           {"fixed", answer.facts.fixed},
                           {"lamps", answer.facts.lamps},
-                          {"placements", answer.facts.placementOf}}
+                          {"placements", answer.facts.placementOf},
+                          {"spoken", answer.facts.spoken}}
         .dump();
 }
 
@@ -79,6 +80,7 @@ Answer answerFrom(std::string const& text) {
     answer.frames = all.at("frames").get<std::uint64_t>();
     answer.facts.fixed = all.at("fixed").get<std::set<std::string>>();
     answer.facts.lamps = all.at("lamps").get<std::set<std::string>>();
+    answer.facts.spoken = all.at("spoken").get<std::map<std::string, std::string>>();
     answer.facts.placementOf = all.at("placements").get<std::map<std::string, std::size_t>>();
     return answer;
 }

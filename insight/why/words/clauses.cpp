@@ -74,9 +74,17 @@ std::string wholeOf(std::string const& piece, SceneFacts const& facts) {
 
 } // namespace
 
+std::string const& AnswerLanguage::called(std::string const& name) const {
+    if (spoken_ == nullptr) {
+        return name;
+    }
+    auto const at = spoken_->find(name);
+    return at == spoken_->end() ? name : at->second;
+}
+
 std::string AnswerLanguage::the(std::string const& name) const {
-    return catalogue_ == nullptr ? englishSpeech().the(name).words
-                                 : catalogue_->names().definite(name, GermanCase::nominative);
+    return catalogue_ == nullptr ? englishSpeech().the(called(name)).words
+                                 : catalogue_->names().definite(called(name), GermanCase::nominative);
 }
 
 std::string AnswerLanguage::mix(std::string_view english, std::vector<Said> const& said) const {
@@ -90,7 +98,7 @@ std::string AnswerLanguage::mix(std::string_view english, std::vector<Said> cons
         if (!one.isName) {
             text += one.text;
         } else if (catalogue_ != nullptr && (accusative || pieces.gaps[i] == "dat")) {
-            text += catalogue_->names().definite(one.text,
+            text += catalogue_->names().definite(called(one.text),
                                                  accusative ? GermanCase::accusative : GermanCase::dative);
         } else {
             text += the(one.text);
@@ -143,7 +151,8 @@ std::string capitalised(std::string text) {
 }
 
 Clauses clausesOf(Step const& step, SceneFacts const& facts, std::string const& goal,
-                  AnswerLanguage const& language) {
+                  AnswerLanguage const& inUse) {
+    AnswerLanguage const language = inUse.calling(facts.spoken);
     if (step.kind == StepKind::goal) {
         return {language.fill("the goal “{}” is met", {goal}),
                 language.fill("because the goal “{}” is met", {goal})};

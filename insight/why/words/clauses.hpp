@@ -4,6 +4,7 @@
 #include "insight/why/answer.hpp"
 #include "puzzle/language/catalogue.hpp"
 
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,6 +23,12 @@ public:
     /// English.
     AnswerLanguage() = default;
     explicit AnswerLanguage(Catalogue const& catalogue) : catalogue_(&catalogue) {}
+    /// The same, which calls objects as SceneFacts::spoken says; `spoken` must outlive it.
+    [[nodiscard]] AnswerLanguage calling(std::map<std::string, std::string> const& spoken) const {
+        AnswerLanguage language = *this;
+        language.spoken_ = &spoken;
+        return language;
+    }
 
     /// An English text with the content for each "{}"; in the translation, "{akk}" and "{dat}" are cases.
     [[nodiscard]] std::string mix(std::string_view english, std::vector<Said> const& said) const;
@@ -39,7 +46,10 @@ public:
     [[nodiscard]] std::string afterColon(std::string sentence) const;
 
 private:
+    [[nodiscard]] std::string const& called(std::string const& name) const;
+
     Catalogue const* catalogue_ = nullptr;
+    std::map<std::string, std::string> const* spoken_ = nullptr;
 };
 
 /// With a capital letter, if it begins with a letter of ASCII.

@@ -178,6 +178,20 @@ std::string sentenceOf(Miss const& miss, Extreme extreme, std::string const& whe
         return language.mix("{} still held {} back", {first, second}) + when;
     case Lack::blocked:
         return language.mix("{} stood in the way of {}", {first, second}) + when;
+    case Lack::unpushed:
+        return language.mix("nothing pushed {}: a push of {} would have closed the contact there",
+                            {first, amount(forceDigits(miss.by))}) +
+               when;
+    case Lack::push:
+        return language.mix("{} was pushed too weakly: {} more would have closed the contact there",
+                            {first, amount(forceDigits(miss.by))}) +
+               when;
+    case Lack::grab:
+        return language.mix("you took hold of {}", {first}) + when;
+    case Lack::cut:
+        return language.mix("you cut the wire between {} and {}", {first, second}) + when;
+    case Lack::removal:
+        return language.mix("you removed {}", {first}) + when;
     case Lack::absent:
         return language.mix("there was nothing that {} could have touched", {first}) + when;
     case Lack::touches: {
@@ -198,6 +212,22 @@ std::string sentenceOf(Miss const& miss, Extreme extreme, std::string const& whe
     return language.fill("it was met", {}) + when;
 }
 
+/// The key of what a further run showed.
+char const* ifKey(Lack lack) {
+    switch (lack) {
+    case Lack::blocked:
+    case Lack::grab:
+    case Lack::cut:
+    case Lack::removal:
+        return "if_gone";
+    case Lack::unpushed:
+    case Lack::push:
+        return "if_pushed";
+    default:
+        return "if_closed";
+    }
+}
+
 /// What the run without the obstacle showed about the goal.
 std::string otherwiseText(Miss const& miss, AnswerLanguage const& language) {
     bool const met = miss.ifClosed == IfClosed::met;
@@ -205,6 +235,17 @@ std::string otherwiseText(Miss const& miss, AnswerLanguage const& language) {
         return language.mix(met ? "without {}, the goal would have been met"
                                 : "without {}, the run would have come nearer to the goal",
                             {{miss.names.front(), true}});
+    }
+    bool const deed = miss.lack == Lack::grab || miss.lack == Lack::cut || miss.lack == Lack::removal;
+    if (deed) {
+        return language.fill(met ? "without that, the goal would have been met"
+                                 : "without that, the run would have come nearer to the goal",
+                             {});
+    }
+    if (miss.lack == Lack::unpushed || miss.lack == Lack::push) {
+        return language.fill(met ? "pushed so, the goal would have been met"
+                                 : "pushed so, the run would have come nearer to the goal",
+                             {});
     }
     return language.fill(met ? "with this circuit closed, the goal would have been met"
                              : "with this circuit closed, the run would have come nearer to the goal",
@@ -274,8 +315,7 @@ nlohmann::ordered_json toJson(Miss const& miss) {
         made["ways"] = ways;
     }
     if (miss.ifClosed != IfClosed::unknown) {
-        made[miss.lack == Lack::blocked ? "if_gone" : "if_closed"] =
-            miss.ifClosed == IfClosed::met ? "met" : "nearer";
+        made[ifKey(miss.lack)] = miss.ifClosed == IfClosed::met ? "met" : "nearer";
     }
     if (miss.lack == Lack::count) {
         made["too_many"] = miss.tooMany;

@@ -119,7 +119,8 @@ std::vector<std::string> sentencesOf(Answer const& answer, std::string const& go
     if (!answer.happened) {
         std::vector<std::string> all{capitalised(language.fill("the goal “{}” was not met", {goal})) + "."};
         if (answer.nearest) {
-            std::vector<std::string> const miss = sentencesOf(answer.nearest->nearest, language);
+            std::vector<std::string> const miss =
+                sentencesOf(answer.nearest->nearest, language.calling(answer.facts.spoken));
             all.insert(all.end(), miss.begin(), miss.end());
         }
         return all;

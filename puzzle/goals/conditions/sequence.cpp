@@ -96,6 +96,11 @@ std::size_t stepsDone(ConditionState const& state) {
     return state.memory<Steps>().done;
 }
 
+std::optional<std::size_t> stepsDoneIfAny(ConditionState const& state) {
+    bool const isSequence = dynamic_cast<SequenceCondition const*>(state.condition().kind) != nullptr;
+    return isSequence ? std::optional(stepsDone(state)) : std::nullopt;
+}
+
 ConditionKind const& sequence() {
     static SequenceCondition const kind;
     return kind;

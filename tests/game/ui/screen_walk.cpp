@@ -68,7 +68,7 @@ void lookAtStudies(Player& player, Look const& look) {
     LevelStudies& studies = *dynamic_cast<EditScreen&>(player.app().screen()).parts().studies;
     studies.reportOptions.robustness.runs = 8;
     studies.reportOptions.drops = 8;
-    studies.reportOptions.mapReach = 3;
+    studies.reportOptions.map.places = 48;
     studies.request.runs = 40;
     player.key(SDLK_e, KMOD_LCTRL);
     studies.report().work->wait();

@@ -36,6 +36,25 @@ TEST(Needs, LeaveOutWhatDoesNothing) {
     EXPECT_EQ(toText(needsFrom(toText(needs), solution)), toText(needs));
 }
 
+TEST(Needs, TellWhenTheWholeSolutionSolvesAndWhenTheReducedOneDoes) {
+    LevelRuns const runs(gameData(), firstContact().level());
+    // The spanner, which falls farther, can do without the bar that lies on the contacts almost at once.
+    Solution solution = *firstContact().level().findSolution("the spanner");
+    solution.placements.front().at.y += 0.5;
+    solution.placements.push_back(placing("steel bar", {-1.8, 1.0}).placements.front());
+    Needs const needs = needsOf(runs, solution, 600);
+    ASSERT_TRUE(needs.solves);
+    ASSERT_EQ(needs.least.placements.size(), 1U);
+    EXPECT_EQ(needs.least.placements.front().part, "spanner");
+    EXPECT_EQ(runs.run({solution, {}}, {.frames = 600}).solvedFrame, needs.frame);
+    EXPECT_EQ(runs.run({needs.least, {}}, {.frames = 600}).solvedFrame, needs.leastFrame);
+    EXPECT_GT(needs.leastFrame, needs.frame);
+    EXPECT_EQ(toText(needsFrom(toText(needs), solution)), toText(needs));
+    Needs const again = needsOf(runs, needs.least, 600); // nothing to leave out
+    EXPECT_EQ(again.frame, needs.leastFrame);
+    EXPECT_EQ(again.leastFrame, needs.leastFrame);
+}
+
 TEST(Needs, OfEachRecordedSolutionCannotBeReducedFurther) {
     for (char const* const name : {"2-electricity/1-both-gaps.json", "2-electricity/3-two-buttons.json"}) {
         LevelUnderTest const level(gameData(), testedFile(name));

@@ -100,7 +100,7 @@ TEST(LevelReport, SaysThatThereIsNothingToDisplace) {
 TEST(LevelReport, ShowsWhatItHasAfterEachPart) {
     ReportOptions options = shortReport();
     options.maps = true;
-    options.mapReach = 1;
+    options.map.places = 12;
     std::vector<LevelReport> shown;
     options.sofar = [&](LevelReport const& report) { shown.push_back(report); };
     Workers workers(onThreads(2));

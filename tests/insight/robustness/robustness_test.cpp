@@ -90,22 +90,6 @@ TEST(Robustness, IsHighWhereABarLiesAcrossAGapAndLowWhereItIsThrownFar) {
               far.front().solved);
 }
 
-TEST(PlaceMap, HasTheRecordedPlaceInItsMiddle) {
-    Workers workers(onThreads(2));
-    auto const maps = placeMapsOf(firstContact(), {solvedBy("the steel bar")}, 0.2, 2, workers);
-    ASSERT_EQ(maps.front().size(), 1U);
-    PlaceMap const& map = maps.front().front();
-    EXPECT_EQ(map.part, "steel bar");
-    ASSERT_EQ(map.rows.size(), 5U);
-    EXPECT_EQ(map.rows[2][2], '#');
-    EXPECT_EQ(map.rows[4][2], ' ') << "the area for placing ends above the contacts";
-    EXPECT_EQ(map.rows[0][2], '#') << "dropped from 40 cm higher it still lies across the gap";
-    // Each cell is the result of a run with that displacement.
-    Solution moved = *firstContact().level().findSolution("the steel bar");
-    moved.placements.front().at += Vec2{0.4, 0.2};
-    EXPECT_EQ(map.rows[1][4] == '#', tryOut(firstContact(), moved, {}).solved);
-}
-
 TEST(RandomDrops, OnlyCountWhatFits) {
     Workers workers(onThreads(2));
     auto const drops = randomDrops(firstContact(), 20, 600, 1, workers);

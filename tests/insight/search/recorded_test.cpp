@@ -26,7 +26,8 @@ TEST(KeptSolution, IsNamedByWhatItNeedsAndLastsASecondLonger) {
     found.needs.least = placing("steel bar", {0, 1});
     found.needs.parts = {"steel bar"};
     found.needs.deeds = {"grab crate"};
-    found.needs.frame = 40;
+    found.needs.frame = 25; // of the solution from which parts were left out
+    found.needs.leastFrame = 40;
     Solution const kept = keptSolution(found, 2);
     EXPECT_EQ(kept.name, "found 2: steel bar, grab crate");
     EXPECT_EQ(kept.frames, 100);

@@ -238,6 +238,25 @@ TEST(WhyExperiments, TwoMoreBoxesAreOnDeckBecauseTheyWerePlacedThere) {
         << "what lies on the ground carries nothing: " << told(answer);
 }
 
+// Two contacts that their author only numbered are called by their part; that the switch had touched one is
+// no reason for its parting.
+TEST(WhyExperiments, TellsOfALiftedSwitchWhoLiftedIt) {
+    LevelFile const level = asPlayed(experiment("1-switched-electromagnet"), "");
+    LevelRuns const runs(gameData(), level);
+    Solution const& solution = *level.findSolution("lift the switch");
+    AskOptions options;
+    options.frames = LevelRuns::framesFor(solution);
+    std::string const all = told(why(runs, solution, {}, options));
+    EXPECT_NE(all.find("because the switch no longer touches copper contact 2, because you took hold of the "
+                       "switch."),
+              std::string::npos)
+        << all;
+    EXPECT_NE(all.find("because the switch touches copper contact 2 and because the switch touches copper "
+                       "contact 1."),
+              std::string::npos)
+        << all;
+}
+
 } // namespace
 } // namespace why_experiments
 } // namespace trembler::insight

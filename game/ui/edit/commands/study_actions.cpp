@@ -112,7 +112,8 @@ void keepFound(EditParts& parts, std::size_t found) {
     if (shown == nullptr || found >= shown->search.found.size()) {
         return;
     }
-    Solution const solution = insight::keptSolution(shown->search.found[found], found + 1);
+    Solution const solution =
+        insight::solutionForFile(*shown->of->data, shown->of->level, shown->search.found[found], found + 1);
     if (parts.run([&](edit::Json const& level) { return edit::addSolution(level, solution); })) {
         parts.tell(words::filledIn(words::keptText, solution.name), ToastKind::Success);
     }

@@ -1,8 +1,5 @@
 #include "game/ui/edit/study/level_studies.hpp"
 
-#include "insight/search/search.hpp"
-#include "insight/trial/trial.hpp"
-
 #include <algorithm>
 #include <utility>
 
@@ -14,14 +11,12 @@ using insight::LevelUnderTest;
 using insight::SearchResult;
 using insight::Workers;
 
-/// The session in the frame in which the reduced solution solves the level, which may be later than the frame
-/// in which the solution did from which parts were left out; nullptr if it cannot be played.
+/// The session in the frame in which the reduced solution solves the level; nullptr if it cannot be played.
 std::shared_ptr<Session const> momentOf(StudiedLevel const& of, insight::FoundSolution const& found) {
     try {
         auto session = std::make_shared<Session>(of.data->registry, of.data->parts, of.level);
         session->load(found.needs.least);
-        std::uint64_t const last = insight::patience(found.needs.frame, insight::SearchOptions{}.frames);
-        for (std::uint64_t frame = 0; frame < last && !session->solved(); ++frame) {
+        for (std::uint64_t frame = 0; frame < found.needs.leastFrame; ++frame) {
             session->step();
         }
         return session;

@@ -26,8 +26,8 @@ void drawPlace(Canvas& canvas, Point at, double step, char state) {
 void drawCells(Canvas& canvas, insight::PlaceMap const& map, Vec2 middle) {
     for (std::size_t row = 0; row < map.rows.size(); ++row) {
         for (std::size_t column = 0; column < map.rows[row].size(); ++column) {
-            double const x = map.step * (static_cast<double>(column) - map.reach);
-            double const y = map.step * (map.reach - static_cast<double>(row));
+            double const x = map.step * (static_cast<double>(column) - static_cast<double>(map.column));
+            double const y = map.step * (static_cast<double>(map.row) - static_cast<double>(row));
             drawPlace(canvas, {middle.x + x, middle.y + y}, map.step, map.rows[row][column]);
         }
     }

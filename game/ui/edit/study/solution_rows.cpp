@@ -74,7 +74,8 @@ void drawMaps(EditParts& parts, SolutionReport const& solution) {
         ImGui::PopFont();
         ImGui::PopID();
     }
-    smallCaption(words::mapCaption);
+    double const step = solution.maps[std::min(studies.placement, solution.maps.size() - 1)].step;
+    smallCaption(words::filledIn(words::mapCaption, std::lround(100 * step)).c_str());
 }
 
 void drawDetails(EditParts& parts, LevelReport const& report, SolutionReport const& solution) {

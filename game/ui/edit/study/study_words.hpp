@@ -91,8 +91,9 @@ inline char const* const& robustBothText = editWord(
 inline char const* const& nothingDisplaced = editWord("It has nothing that could be displaced.");
 inline char const* const& watchIt = editWord("Watch it");
 inline char const* const& mayLie = editWord("Where a part may lie, the others staying:");
-inline char const* const& mapCaption =
-    editWord("In the scene: squares solve it, crosses do not; elsewhere the part does not fit. 5 cm apart.");
+inline char const* const& mapCaption = editWord(
+    "In the scene: squares solve it, crosses do not; elsewhere the part does not fit, or nothing beside "
+    "it solves it. {} cm apart.");
 inline char const* const& placesText = editWord("{} of {} places");
 inline char const* const& dropsHeading = editWord("A part alone, anywhere");
 inline char const* const& dropText = editWord("solves it in {} of {} tries");

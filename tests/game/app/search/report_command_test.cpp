@@ -88,13 +88,13 @@ TEST_F(ReportCommand, WritesTheKeysThatAreDocumented) {
     EXPECT_EQ(keysOf(all[0]["solutions"][0]),
               (std::set<std::string>{"name", "expected_to_solve", "solves", "frame", "kind", "kind_number",
                                      "needs_parts", "needs_deeds", "needs_effects", "superfluous",
-                                     "superfluous_effects", "robustness", "robustness_runs",
+                                     "reduced_frame", "superfluous_effects", "robustness", "robustness_runs",
                                      "robustness_redrawn", "places", "chains"}));
     EXPECT_EQ(
         keysOf(all[0]["solutions"][0]["chains"][0]),
         (std::set<std::string>{"asked", "happened", "answer", "confirmed", "chain", "dropped", "runs"}));
     EXPECT_EQ(keysOf(all[0]["solutions"][0]["places"][0]),
-              (std::set<std::string>{"part", "placement", "step_m", "rows"}));
+              (std::set<std::string>{"part", "placement", "step_m", "recorded", "runs", "rows"}));
     EXPECT_EQ(keysOf(all[0]["drops"][0]), (std::set<std::string>{"part", "runs", "solved", "share"}));
     EXPECT_EQ(keysOf(all[0]["effects"][0]), (std::set<std::string>{"effect", "us_per_frame"}));
     EXPECT_EQ(keysOf(all[0]["ways_to_compute"][0]),

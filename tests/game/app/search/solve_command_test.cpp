@@ -208,6 +208,71 @@ TEST_F(SolveCommand, GoesOnWithManyLevelsFromAJournal) {
     EXPECT_EQ(timelessTable(runProgram(more).out), timelessTable(gone.out));
 }
 
+// Everything else in the file keeps its order and its spelling, and what was added is one of its solutions.
+TEST_F(SolveCommand, AddsToTheLevelWhatNobodyRecorded) {
+    std::string text = contentsOf(good);
+    std::size_t const solutions = text.find("  \"solutions\": [");
+    ASSERT_NE(solutions, std::string::npos);
+    std::string const before = text.substr(0, solutions);
+    // A run of that name which does not solve it.
+    std::string const mine = "{\"name\": \"found 1: steel bar\", \"expect\": \"unsolved\",  \"frames\": 100}";
+    write(at("level.json"), before + "  \"solutions\": [\n    " + mine + "\n  ]\n}\n");
+    std::vector<std::string> const adding{"solve", at("level.json"), "--runs", "80", "--frames",
+                                          "600",   "--add-to-level", "--json"};
+    Ran const ran = runProgram(adding);
+    ASSERT_EQ(ran.status, 0) << ran.err;
+    json const found = json::parse(ran.out)["found"];
+    ASSERT_FALSE(found.empty());
+    std::string const after = contentsOf(at("level.json"));
+    EXPECT_TRUE(after.starts_with(before)) << after;
+    EXPECT_NE(after.find(mine), std::string::npos) << after;
+    json const list = json::parse(after)["solutions"];
+    ASSERT_EQ(list.size(), 1 + found.size());
+    std::set<std::string> names{"found 1: steel bar"};
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        EXPECT_EQ(list[1 + i]["name"], found[i]["added_as"]);
+        EXPECT_EQ(list[1 + i]["placements"], found[i]["solution"]["placements"]);
+        names.insert(found[i]["added_as"].get<std::string>());
+    }
+    EXPECT_EQ(names.size(), list.size()) << "each has a name of its own";
+    Ran const verified = runProgram({"verify", at("level.json")});
+    EXPECT_EQ(verified.status, 0) << verified.out;
+    // Now they are recorded.
+    Ran const again = runProgram(adding);
+    ASSERT_EQ(again.status, 0) << again.err;
+    EXPECT_TRUE(json::parse(again.out)["found"][0]["added_as"].is_null());
+    EXPECT_EQ(contentsOf(at("level.json")), after);
+}
+
+TEST_F(SolveCommand, AddsNothingToAFileThatItMustNotChange) {
+    std::string const text = contentsOf(good);
+    std::string newer = text;
+    newer.replace(newer.find("\"version\": 2"), 12, "\"version\": 99");
+    write(at("level.json"), newer);
+    Ran const refused = runProgram({"solve", at("level.json"), "--runs", "80", "--add-to-level"});
+    EXPECT_EQ(refused.status, 2) << refused.out;
+    EXPECT_EQ(contentsOf(at("level.json")), newer);
+    // Another program changes the file when the first solution has been found.
+    std::string const unsolved = text.substr(0, text.find("  \"solutions\": [")) + "  \"solutions\": []\n}\n";
+    std::string const changed = unsolved + "\n";
+    write(at("level.json"), unsolved);
+    RunAs how;
+    how.meanwhile = [&](int process) {
+        waitUntil(process, [&] {
+            return std::filesystem::exists(at("journal.jsonl")) &&
+                   contentsOf(at("journal.jsonl")).find("needs/") != std::string::npos;
+        });
+        write(at("level.json"), changed);
+        ::kill(process, SIGINT);
+    };
+    Ran const late = runProgram({"solve", at("level.json"), "--runs", "100000000", "--frames", "600",
+                                 "--resume", at("journal.jsonl"), "--add-to-level"},
+                                how);
+    EXPECT_EQ(late.status, 2) << late.out;
+    EXPECT_NE(late.err.find("changed by another program"), std::string::npos) << late.err;
+    EXPECT_EQ(contentsOf(at("level.json")), changed);
+}
+
 TEST_F(SolveCommand, RefusesBadInput) {
     EXPECT_EQ(runProgram({"solve", at("none.json")}).status, 2);
     EXPECT_EQ(runProgram({"solve", good, "--runs", "0"}).status, 2);

@@ -21,7 +21,7 @@ insight::ReportOptions briefReport() {
     insight::ReportOptions options;
     options.robustness.runs = 12;
     options.drops = 12;
-    options.mapReach = 2;
+    options.map.places = 24;
     options.maps = true;
     options.costs = false;
     return options;
@@ -132,7 +132,7 @@ TEST(EditorReport, DrawsWhereAPartMayLie) {
     Examiner designer;
     designer.editCopyOf(levelsFolder() / "first/2-into-the-basket.json");
     designer.studies().reportOptions = briefReport();
-    designer.studies().reportOptions.mapReach = 4;
+    designer.studies().reportOptions.map.places = 120;
     designer.makeReport();
     auto const report = designer.studies().report().result();
     insight::PlaceMap const& map = report->solutions[0].maps.at(0);
@@ -144,10 +144,12 @@ TEST(EditorReport, DrawsWhereAPartMayLie) {
     render::Image const after = designer.look("edit-report-map");
     int solving = 0;
     int failing = 0;
-    for (int row = 0; row < 9; ++row) {
-        for (int column = 0; column < 9; ++column) {
-            char const state = map.rows[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)];
-            Point const at = designer.on(middle + Vec2{map.step * (column - 4), map.step * (4 - row)});
+    for (std::size_t row = 0; row < map.rows.size(); ++row) {
+        for (std::size_t column = 0; column < map.rows[row].size(); ++column) {
+            char const state = map.rows[row][column];
+            double const right = static_cast<double>(column) - static_cast<double>(map.column);
+            double const up = static_cast<double>(map.row) - static_cast<double>(row);
+            Point const at = designer.on(middle + map.step * Vec2{right, up});
             solving += state == '#' ? 1 : 0;
             failing += state == '.' ? 1 : 0;
             if (state == '#' || state == '.') {

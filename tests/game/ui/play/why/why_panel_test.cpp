@@ -2,6 +2,7 @@
 #include "game/ui/app/menu/settings_page.hpp"
 #include "game/ui/cards/level_text.hpp"
 #include "game/ui/play/why/why_panel.hpp"
+#include "tests/game/ui/drawn_words.hpp"
 #include "tests/game/ui/player.hpp"
 #include "tests/game/ui/tidy.hpp"
 #include "tests/game/ui/virtual_pad.hpp"
@@ -273,6 +274,32 @@ struct MarkedRun {
     std::vector<insight::MarkKind> kinds;
 };
 
+void expectAnswer(Player& player, insight::MarkKind kind) {
+    auto const& marks = player.play().timeline().marks().all();
+    auto const at = std::find_if(marks.begin(), marks.end(),
+                                 [kind](insight::Mark const& mark) { return mark.kind == kind; });
+    ASSERT_NE(at, marks.end());
+    insight::Mark const mark = *at;
+    LevelText const said(player.session());
+    WhyPanel panel(gameData().registry, gameData().parts, nullptr, player.session(), said);
+    panel.askMark(mark); // not by mouse: marks of other kinds may lie over it
+    panel.wait();
+    panel.pass();
+    insight::Answer const* const answer = panel.answer();
+    ASSERT_NE(answer, nullptr);
+    EXPECT_TRUE(answer->happened);
+    ASSERT_FALSE(answer->chain.empty());
+    EXPECT_FALSE(panel.lines().empty());
+    insight::Step const& asked = answer->chain.back().step;
+    EXPECT_LE(asked.frame, mark.frame);
+    EXPECT_EQ(asked.kind == insight::StepKind::goal, kind == insight::MarkKind::goal);
+    EXPECT_EQ(answer->goal, mark.goal);
+    for (std::string const& object : mark.objects) {
+        EXPECT_NE(std::find(asked.objects.begin(), asked.objects.end(), object), asked.objects.end())
+            << object;
+    }
+}
+
 // A question at a mark of each kind; at the mark of a goal it is about the goal.
 TEST(WhyPanel, AnswersAboutEachKindOfMark) {
     using insight::MarkKind;
@@ -287,6 +314,8 @@ TEST(WhyPanel, AnswersAboutEachKindOfMark) {
          400,
          {MarkKind::dips, MarkKind::leaves, MarkKind::hit}},
         {"experiments/1-switched-electromagnet.json", "cut the wire", 200, {MarkKind::cut}},
+        {"2-electricity/4-one-load-too-many.json", "rubber carries no current", 260, {MarkKind::broken}},
+        {"first/1-first-contact.json", "the steel bar", 60, {MarkKind::goal}},
     };
     for (MarkedRun const& run : runs) {
         Player player;
@@ -298,31 +327,90 @@ TEST(WhyPanel, AnswersAboutEachKindOfMark) {
         player.simulate(run.frames);
         player.key(SDLK_p);
         player.frames(2);
-        auto const& marks = player.play().timeline().marks().all();
-        LevelText const said(player.session());
-        WhyPanel panel(gameData().registry, gameData().parts, nullptr, player.session(), said);
         for (MarkKind const kind : run.kinds) {
             SCOPED_TRACE(std::string(run.level) + ", kind " + std::to_string(static_cast<int>(kind)));
-            auto const at = std::find_if(marks.begin(), marks.end(),
-                                         [kind](insight::Mark const& mark) { return mark.kind == kind; });
-            ASSERT_NE(at, marks.end());
-            insight::Mark const mark = *at;
-            panel.askMark(mark); // not by mouse: marks of other kinds may lie over it
-            panel.wait();
-            panel.pass();
-            insight::Answer const* const answer = panel.answer();
-            ASSERT_NE(answer, nullptr);
-            EXPECT_TRUE(answer->happened);
-            ASSERT_FALSE(answer->chain.empty());
-            EXPECT_FALSE(panel.lines().empty());
-            insight::Step const& asked = answer->chain.back().step;
-            EXPECT_LE(asked.frame, mark.frame);
-            for (std::string const& object : mark.objects) {
-                EXPECT_NE(std::find(asked.objects.begin(), asked.objects.end(), object), asked.objects.end())
-                    << object;
-            }
+            expectAnswer(player, kind);
         }
     }
+}
+
+// The load is too heavy for its rope.
+TEST(WhyPanel, AnswersAboutAJointThatGaveWay) {
+    std::filesystem::path const file = std::filesystem::path(testing::TempDir()) / "thin-rope.json";
+    std::ofstream(file) << R"({"version": 2, "title": "Thin rope", "text": "",
+        "world": {"gravity": [0, -9.81], "bounds": [-2, 0, 4, 3]},
+        "objects": [
+            {"name": "beam", "at": [0, 2.5], "properties": {"fixed": true,
+                "shape": [{"form": "box", "width": 1, "height": 0.1}]}},
+            {"name": "load", "at": [0, 1.5], "properties": {"mass": 50,
+                "shape": [{"form": "box", "width": 0.4, "height": 0.4}]}}],
+        "joints": [{"name": "thin rope", "form": "distance", "a": "load", "b": "beam", "at": [0, 1.7],
+            "at_b": [0, 2.45], "break_force": 20}],
+        "goals": {"inside": {"object": "load", "area": [-2, 0, 4, 1]}, "id": "down", "text": "Let it fall"}})";
+    Player player;
+    player.open(file);
+    player.key(SDLK_SPACE);
+    player.simulate(40);
+    player.key(SDLK_p);
+    player.frames(2);
+    expectAnswer(player, insight::MarkKind::broken);
+}
+
+void runFor(Player& player, int frames) {
+    player.key(SDLK_SPACE);
+    player.simulate(frames);
+    player.key(SDLK_p);
+    player.frames(2);
+}
+
+/// The steps of the answer about a goal that are known so well, and whether the card says it of each.
+void expectShown(Player& player, std::size_t goal, insight::Proof proof, std::string const& mark,
+                 std::string const& meaning) {
+    player.clickItem("why goal " + std::to_string(goal + 1));
+    waitForAnswer(player);
+    insight::Answer const* const answer = player.play().why().answer();
+    ASSERT_NE(answer, nullptr);
+    auto const steps = std::count_if(answer->chain.begin(), answer->chain.end(),
+                                     [&](insight::ChainStep const& one) { return one.proof == proof; });
+    ASSERT_GT(steps, 0);
+    (void)player.look("why-" + mark);
+    std::string all;
+    for (std::string const& line : DrawnWords().lines()) {
+        all += line + " ";
+    }
+    long shown = 0;
+    for (std::size_t at = all.find("· " + mark); at != std::string::npos;
+         at = all.find("· " + mark, at + 1)) {
+        ++shown;
+    }
+    EXPECT_EQ(shown, steps) << all;
+    EXPECT_NE(all.find(meaning), std::string::npos) << all;
+}
+
+// What was found by tracing, and what by runs without it, one by one or several together.
+TEST(WhyPanel, ShowsHowWellEachStepIsKnown) {
+    {
+        Player player;
+        solve(player);
+        expectShown(player, 0, insight::Proof::confirmed, "sure", "Sure: ");
+    }
+    {
+        Player player;
+        player.open(firstLevel);
+        Solution solution = *player.session().level().findSolution("the steel bar");
+        solution.placements.push_back(
+            player.session().level().findSolution("the spanner")->placements.front());
+        solution.placements.back().at.y += 0.5; // either of the two would do
+        player.session().load(solution);
+        runFor(player, 60);
+        expectShown(player, 0, insight::Proof::together, "together", "Together: ");
+    }
+    // A lamp that is lit from the start by wires alone, which no run is without.
+    Player player;
+    player.open(levelsFolder() / "2-electricity/2-the-easy-way.json");
+    player.session().load(*player.session().level().findSolution("metal from above"));
+    runFor(player, 400);
+    expectShown(player, 1, insight::Proof::traced, "seen", "Seen: ");
 }
 
 TEST(WhyPanel, TheLastRunCanBeAskedAboutWhileBuilding) {
