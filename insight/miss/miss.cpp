@@ -10,11 +10,12 @@ struct LackText {
     std::string_view name;
     std::string_view unit;
 };
-constexpr std::array<LackText, 17> lackTexts{{{"nothing", ""},
+constexpr std::array<LackText, 18> lackTexts{{{"nothing", ""},
                                               {"distance", "m"},
                                               {"gap", "m"},
                                               {"source", ""},
                                               {"power", "W"},
+                                              {"shorted", ""},
                                               {"force", "N"},
                                               {"lift", "N"},
                                               {"torque", "N m"},
