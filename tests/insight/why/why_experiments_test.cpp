@@ -256,11 +256,11 @@ TEST(WhyExperiments, AWoodenClipIsWhyNoCurrentFlows) {
 
 // Experiment III: "the sliding contact falls onto a spoke and closes a circuit through it", and opens it.
 TEST(WhyExperiments, TheMotorsMagnetIsSwitchedByTheSlidingContact) {
-    Answer const off = answerIn("3-electric-motor", "hands off", ofObject("EM-North", 1), 120);
+    Answer const off = answerIn("3-electric-motor", "hands off", ofObject("upper electromagnet", 1), 120);
     ASSERT_TRUE(off.happened);
     expectInOrder(off, {{StepKind::contact, {"sliding contact", "spoke 1"}},
-                        {StepKind::off, {"EM-North"}},
-                        {StepKind::magnetOff, {"EM-North"}}});
+                        {StepKind::off, {"upper electromagnet"}},
+                        {StepKind::magnetOff, {"upper electromagnet"}}});
 }
 
 // "Put the stone block where the spokes have to pass."
