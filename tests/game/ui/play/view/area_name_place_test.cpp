@@ -105,8 +105,7 @@ TEST(AreaNamePlace, LeavesTheWayIntoTheAreaFree) {
     Extent const area = around({0.57, 0.75}, {1.23, 1.22});
     std::vector<Extent> const hole{around({0.72, 1.23}, {1.08, 1.3})};
     EXPECT_TRUE(coversAny({0.9, area.upper.y + half.y}, half, hole)) << "above the middle, where it was";
-    Point const at =
-        areaNamePlace(camera, area, Point{62, 18}, render::extentsOf(player.session().world()));
+    Point const at = areaNamePlace(camera, area, Point{62, 18}, render::extentsOf(player.session().world()));
     EXPECT_FALSE(coversAny(at, half, hole)) << at.x << ", " << at.y;
     player.look("basket");
 }
