@@ -1,5 +1,6 @@
 #include "insight/miss/idle_devices.hpp"
 
+#include "insight/miss/current/short_circuits.hpp"
 #include "physics/dynamics/properties/body.hpp"
 #include "physics/dynamics/properties/shape.hpp"
 #include "physics/electricity/properties/electrical.hpp"
@@ -88,6 +89,12 @@ Miss missOfIdle(World const& world, ObjectId device, CircuitSight& circuits) {
     miss.lack = cut.hopeless ? Lack::source : cut.gaps.empty() ? Lack::change : Lack::gap;
     miss.by = cut.gaps.empty() ? 1 : cut.width;
     miss.gaps = cut.gaps;
+    if (miss.lack == Lack::change) {
+        if (ObjectId const source = shortCircuitBeside(world, device); source.valid()) {
+            miss.lack = Lack::shorted;
+            miss.objects.push_back(source);
+        }
+    }
     return miss;
 }
 

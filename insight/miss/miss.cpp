@@ -10,11 +10,12 @@ struct LackText {
     std::string_view name;
     std::string_view unit;
 };
-constexpr std::array<LackText, 22> lackTexts{
-    {{"nothing", ""}, {"distance", "m"}, {"gap", "m"},    {"source", ""},    {"power", "W"}, {"force", "N"},
-     {"lift", "N"},   {"torque", "N m"}, {"count", ""},   {"time", "s"},     {"steps", ""},  {"ways", ""},
-     {"touches", ""}, {"held", ""},      {"blocked", ""}, {"unpushed", "N"}, {"push", "N"},  {"grab", ""},
-     {"cut", ""},     {"removal", ""},   {"absent", ""},  {"change", ""}}};
+constexpr std::array<LackText, 23> lackTexts{
+    {{"nothing", ""}, {"distance", "m"}, {"gap", "m"},  {"source", ""},    {"power", "W"},
+     {"shorted", ""}, {"force", "N"},    {"lift", "N"}, {"torque", "N m"}, {"count", ""},
+     {"time", "s"},   {"steps", ""},     {"ways", ""},  {"touches", ""},   {"held", ""},
+     {"blocked", ""}, {"unpushed", "N"}, {"push", "N"}, {"grab", ""},      {"cut", ""},
+     {"removal", ""}, {"absent", ""},    {"change", ""}}};
 
 } // namespace
 

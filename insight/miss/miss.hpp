@@ -19,6 +19,7 @@ enum class Lack : std::uint8_t {
     gap,      ///< m, of all gaps of a circuit
     source,   ///< 1: a current has no source that gaps could connect
     power,    ///< W, until an object in a closed circuit is on
+    shorted,  ///< 1: the source of a closed circuit is short-circuited; the object, and the source
     force,    ///< N, that a magnet's pull is less than a weight
     lift,     ///< N, that a liquid's lift is less than a weight
     torque,   ///< N m, by which a load turns something more than a liquid rights it

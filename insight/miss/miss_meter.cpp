@@ -72,6 +72,7 @@ GoalMiss MissMeter::explained(std::size_t goal) const {
     nearestCircuits_[goal].nearest.judge(made.nearest, made.nearest.frame);
     std::vector<Miss> const ended = after_[goal].misses();
     made.nearest.besides.insert(made.nearest.besides.end(), ended.begin(), ended.end());
+    insulators_.tell(made.nearest);
     return made;
 }
 
@@ -81,6 +82,9 @@ void MissMeter::look(World const& world) {
     }
     std::uint64_t const passed = world.ticks() - std::exchange(ticks_, world.ticks());
     state_->update(world, std::max<std::uint64_t>(passed, 1));
+    if (what_ == For::explanation) {
+        insulators_.look(world);
+    }
     Miss const whole = miss_->now(world, circuits_);
     if (whole.measure < result_.measure) {
         result_.measure = whole.measure;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "insight/miss/aftermath.hpp"
+#include "insight/miss/current/insulators.hpp"
 #include "insight/miss/current/nearest_circuits.hpp"
 #include "insight/run/level_runs.hpp"
 
@@ -65,6 +66,7 @@ private:
     std::unique_ptr<ConditionState> state_;
     std::unique_ptr<ConditionMiss> miss_;
     CircuitSight circuits_;
+    Insulators insulators_;
     For what_ = For::measure;
     std::vector<Aftermath> after_; // of each goal
     struct Circuits {

@@ -85,9 +85,9 @@ std::vector<Figure> motor(Setting const& setting, std::uint64_t seed) {
     Jitter jitter(seed);
     LevelFile level = experiment("3-electric-motor.json");
     double const angle = pi * jitter();
-    Vec2 const centre = level.findObject("main axis")->properties.find<Position>()->value;
+    Vec2 const centre = level.findObject("main axle")->properties.find<Position>()->value;
     for (LevelObject& object : level.objects) {
-        if (object.name == "main axis" || object.name.starts_with("spoke ")) {
+        if (object.name == "main axle" || object.name.starts_with("spoke ")) {
             Vec2 const at = object.properties.find<Position>()->value;
             Rotation const* const turned = object.properties.find<Rotation>();
             object.properties.set(Position{centre + rotated(at - centre, angle)});
@@ -96,7 +96,7 @@ std::vector<Figure> motor(Setting const& setting, std::uint64_t seed) {
     }
     auto const session = play(std::move(level), setting);
     World const& world = session->world();
-    ObjectId const axis = world.store().find("main axis");
+    ObjectId const axis = world.store().find("main axle");
     double const start = world.find<Rotation>(axis)->angle;
     double before = 0;
     std::vector<double> marks; // frames at which whole turns were completed

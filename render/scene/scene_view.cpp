@@ -99,7 +99,7 @@ void SceneView::draw(Canvas& canvas, World const& world, SceneOptions const& opt
     canvas.newSheet();
     drawOverlays(canvas, world, reader, links, place, options.overlays);
     drawRipples(canvas, options.ripples);
-    drawHand(canvas, world, reader, place);
+    drawHand(canvas, world, reader, place, options.hands);
 }
 
 void drawScene(Canvas& canvas, World const& world, SceneOptions const& options) {

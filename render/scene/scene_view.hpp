@@ -6,6 +6,7 @@
 #include "render/scene/facts/pick.hpp"
 #include "render/scene/labels.hpp"
 #include "render/scene/objects/wires.hpp"
+#include "render/scene/overlays/overlay_hand.hpp"
 #include "render/scene/overlays/overlay_sound.hpp"
 
 #include <span>
@@ -36,6 +37,7 @@ struct SceneOptions {
     std::span<Area const> placing{};     ///< where parts may be placed
     std::span<GoalRegion const> goals{}; ///< of goals
     std::span<Ripple const> ripples{};   ///< of sounding objects
+    HandPlaces hands{};                  ///< where the hands are drawn
 };
 
 /// Draws a world. Holds the poses that drawing must remember from frame to frame, and nothing of the world

@@ -17,6 +17,7 @@ void InputEvents::poll() {
     }
     moved_ = {};
     wheel_ = 0;
+    modifiersOfFrame_ = 0;
     quitAsked_ = false;
     SDL_Event event;
     while (SDL_PollEvent(&event) != 0) {
@@ -60,10 +61,12 @@ void InputEvents::take(SDL_Event const& event) {
     case SDL_MOUSEWHEEL: {
         double const turned = static_cast<double>(event.wheel.preciseY);
         wheel_ += event.wheel.direction == SDL_MOUSEWHEEL_FLIPPED ? -turned : turned;
+        modifiersOfFrame_ |= modifiers_;
         break;
     }
     case SDL_KEYDOWN:
         modifiers_ = event.key.keysym.mod;
+        modifiersOfFrame_ |= modifiers_;
         if (!keyHeld(event.key.keysym.sym)) {
             heldKeys_.push_back(event.key.keysym.sym);
         }
@@ -102,6 +105,7 @@ void InputEvents::moveTo(int x, int y) {
 
 void InputEvents::takeButton(SDL_MouseButtonEvent const& event) {
     moveTo(event.x, event.y);
+    modifiersOfFrame_ |= modifiers_;
     std::size_t which = 0;
     switch (event.button) {
     case SDL_BUTTON_LEFT:
@@ -137,7 +141,7 @@ void InputEvents::takeWindow(SDL_WindowEvent const& event) {
     case SDL_WINDOWEVENT_FOCUS_LOST:
         // Their release will go to another window.
         heldKeys_.clear();
-        modifiers_ = 0;
+        modifiers_ = modifiersOfFrame_ = 0;
         for (auto& button : buttons_) {
             button.released = button.released || button.held;
             button.held = false;

@@ -56,8 +56,9 @@ public:
     /// A key (SDLK_...) went down in this frame; repeats by holding it count only if asked for.
     [[nodiscard]] bool keyPressed(SDL_Keycode key, bool repeats = false) const;
     [[nodiscard]] bool keyHeld(SDL_Keycode key) const;
-    /// KMOD_... bits of the last key event.
-    [[nodiscard]] unsigned modifiers() const { return modifiers_; }
+    /// KMOD_... bits of the last key event, and those that were held at any key, button or wheel event of
+    /// this frame: a slow frame may begin after Ctrl was let go again.
+    [[nodiscard]] unsigned modifiers() const { return modifiers_ | modifiersOfFrame_; }
 
     /// Files that the player dropped onto the window in this frame, in order.
     [[nodiscard]] std::span<std::filesystem::path const> dropped() const { return dropped_; }
@@ -91,6 +92,7 @@ private:
     Point moved_;
     double wheel_ = 0;
     unsigned modifiers_ = 0;
+    unsigned modifiersOfFrame_ = 0;
     bool inside_ = false;
     bool quitAsked_ = false;
 };

@@ -10,9 +10,9 @@ constexpr double framesPerSecond = 60;
 } // namespace
 
 LevelFile turnedMotor(LevelFile level, double angle) {
-    Vec2 const axis = level.findObject("main axis")->properties.find<Position>()->value;
+    Vec2 const axis = level.findObject("main axle")->properties.find<Position>()->value;
     for (LevelObject& object : level.objects) {
-        if (object.name == "main axis" || object.name.starts_with("spoke ")) {
+        if (object.name == "main axle" || object.name.starts_with("spoke ")) {
             Vec2 const at = object.properties.find<Position>()->value;
             Rotation const* const rotation = object.properties.find<Rotation>();
             object.properties.set(Position{axis + rotated(at - axis, angle)});
@@ -23,10 +23,10 @@ LevelFile turnedMotor(LevelFile level, double angle) {
 }
 
 Tachometer::Tachometer(World const& world)
-    : start_(world.find<Rotation>(world.store().find("main axis"))->angle) {}
+    : start_(world.find<Rotation>(world.store().find("main axle"))->angle) {}
 
 void Tachometer::look(World const& world) {
-    ObjectId const axis = world.store().find("main axis");
+    ObjectId const axis = world.store().find("main axle");
     double const now = (world.find<Rotation>(axis)->angle - start_) / (2 * pi);
     while (now >= static_cast<double>(marks_.size() + 1)) {
         double const part = (static_cast<double>(marks_.size() + 1) - turns_) / (now - turns_);

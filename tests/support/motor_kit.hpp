@@ -11,7 +11,7 @@ namespace trembler {
 /// The level with the motor's axis and spokes rotated by `angle` (rad) relative to the file.
 [[nodiscard]] LevelFile turnedMotor(LevelFile level, double angle);
 
-/// Tracks the rotation of a world's main axis; call once per frame.
+/// Tracks the rotation of a world's main axle; call once per frame.
 class Tachometer {
 public:
     explicit Tachometer(World const& world);

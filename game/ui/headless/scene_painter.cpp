@@ -1,5 +1,6 @@
 #include "game/ui/headless/scene_painter.hpp"
 
+#include "game/ui/play/view/level_extents.hpp"
 #include "game/ui/shared/card_sizes.hpp"
 #include "game/ui/shared/scene_words.hpp"
 #include "render/draw/palette.hpp"
@@ -9,7 +10,7 @@ namespace trembler::ui {
 using namespace render;
 
 Extent pictureSubject(Session const& session, GoalAreas const& areas) {
-    Extent subject = sceneFocus(session.world());
+    Extent subject = focusOf(session);
     subject.add(areas.extent());
     return subject.empty() ? subject : subject.widened(0.05 * length(subject.half()));
 }

@@ -1,5 +1,6 @@
 #include "game/ui/play/all_cards.hpp"
 
+#include "game/ui/cards/overlay_legend.hpp"
 #include "game/ui/cards/play_cards.hpp"
 #include "game/ui/play/commands/command_sections.hpp"
 #include "game/ui/play/timeline/probe_panel.hpp"
@@ -262,6 +263,9 @@ std::optional<std::size_t> drawPlayCards(PlayParts& parts, CommandSet const& com
     drawTools(buttons, session, parts.hasMods());
     float const bottom = bottomRow + (parts.timeline.shown() ? parts.timeline.height() : 0);
     drawPast(parts, buttons, bottom);
+    if (!beside.panels && !choosing) { // they are in its place
+        drawOverlayLegend(layout, parts.shown, bottom - bottomRow);
+    }
     if (beside.success || !parts.celebration.showing()) {
         drawSuccess(buttons, session, parts.celebration, successLook(parts, beside.narrowSuccess));
     }

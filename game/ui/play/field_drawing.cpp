@@ -4,11 +4,14 @@
 #include "game/ui/play/whatif/what_if_drawing.hpp"
 #include "game/ui/play/why/why_drawing.hpp"
 #include "game/ui/shared/scene_words.hpp"
+#include "game/ui/shared/texts.hpp"
 #include "game/ui/shared/words.hpp"
 #include "render/panels/world_label.hpp"
 #include "render/scene/objects/part.hpp"
 
 #include <imgui.h>
+
+#include <array>
 
 namespace trembler::ui {
 namespace {
@@ -139,6 +142,9 @@ void drawWords(PlayParts const& parts, bool bare) {
         worldLabel(camera, toPoint(at), text.c_str(),
                    {.look = LabelLook::Chip, .colour = colour, .below = below});
     };
+    if (ObjectId const under = parts.hoverName.object(); world.store().alive(under)) {
+        chip(parts.pointer.world, words::capital(shownName(world.store().nameOf(under))), palette::ink, 28);
+    }
     auto const& carried = parts.placing.carried();
     if (carried && !carried->verdict.ok && !parts.pointer.overCard) {
         chip(carried->landing.at, translated(carried->verdict.why), palette::warning, 40);
@@ -210,6 +216,14 @@ SceneOptions sceneOptions(PlayParts& parts, double time) {
     SceneOptions options{.time = time, .alpha = parts.alpha(), .overlays = parts.shown.overlays()};
     auto const& carried = parts.placing.carried();
     options.goals = parts.goals.regions(parts.timeline.goals());
+    if (!parts.timeline.looksBack()) {
+        std::array const hands{&parts.hand, &parts.secondHand};
+        for (std::size_t i = 0; i < hands.size(); ++i) {
+            if (auto const place = hands[i]->pointer()) {
+                options.hands[i] = toPoint(*place);
+            }
+        }
+    }
     if (bare) {
         return options;
     }

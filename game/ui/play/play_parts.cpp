@@ -1,6 +1,7 @@
 #include "game/ui/play/play_parts.hpp"
 
 #include "game/ui/cards/goal_counts.hpp"
+#include "game/ui/play/view/level_extents.hpp"
 #include "game/ui/play/whatif/what_if_tool.hpp"
 #include "game/ui/shared/texts.hpp"
 #include "game/ui/shared/words.hpp"
@@ -263,7 +264,7 @@ void PlayParts::restart() {
 }
 
 render::Extent PlayParts::subject() const {
-    render::Extent all = render::sceneFocus(session.world());
+    render::Extent all = focusOf(session);
     if (session.level().placing) {
         for (Area const& area : *session.level().placing) {
             all.add(render::extentOf(area));

@@ -20,6 +20,7 @@
 #include "game/ui/play/timeline/timeline.hpp"
 #include "game/ui/play/view/cut_view.hpp"
 #include "game/ui/play/view/goal_areas.hpp"
+#include "game/ui/play/view/hover_name.hpp"
 #include "game/ui/play/view/shown.hpp"
 #include "game/ui/play/view/sound_view.hpp"
 #include "game/ui/play/view/spark_view.hpp"
@@ -93,6 +94,7 @@ struct PlayParts {
     KeyPointer keyPointer;
     SecondPointer secondPointer;
     Picking picking;
+    HoverName hoverName;
     FieldMouse mouse;
     std::unique_ptr<LiveMods> liveMods; ///< nullptr: the level names no mods
     ModsPanel modsPanel;

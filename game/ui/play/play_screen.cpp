@@ -103,6 +103,7 @@ std::optional<ScreenRequest> PlayScreen::update(double seconds) {
     if (parts_.mouse.update(parts_.pointer, around, seconds)) {
         parts_.newWorld();
     }
+    lookAtHover(seconds);
     useSecondPlayer(seconds);
     parts_.timeline.pass(seconds, parts_.run.speed().now());
     parts_.whatIf->pass();
@@ -128,6 +129,17 @@ std::optional<ScreenRequest> PlayScreen::update(double seconds) {
                          .troubles = context.toasts.troubles(),
                          .world = &parts_.session.world()});
     return parts_.request;
+}
+
+void PlayScreen::lookAtHover(double seconds) {
+    bool const busy = parts_.placing.carried() || parts_.group.dragging() || parts_.hand.busy() ||
+                      parts_.secondHand.busy() || parts_.hand.cutting() || parts_.wires.laying() ||
+                      parts_.wires.cutting() || parts_.shown.names;
+    ObjectId const under = parts_.picking.hovered();
+    // The player has just put the selected part there, and its tile has its name.
+    bool const own = parts_.placing.selected() && parts_.session.numberOf(under) == parts_.placing.selected();
+    parts_.hoverName.look(busy || own ? ObjectId{} : under, render::length(parts_.context.input.mouseMoved()),
+                          seconds);
 }
 
 void PlayScreen::holdDirection(Vec2 direction, double seconds, Pointer const& mouse) {
@@ -216,7 +228,7 @@ bool PlayScreen::still() const {
     return sinceStep_ > ringsOut && !celebrates && !moves && !parts_.lesson.moving() &&
            !parts_.timeline.moving() && !parts_.whatIf->moving() && !parts_.squash.moving() &&
            !parts_.cuts.moving() && !parts_.secondPointer.moving() && parts_.sparks.sparks().empty() &&
-           !parts_.allBack.waiting() && !parts_.why.busy();
+           !parts_.allBack.waiting() && !parts_.hoverName.waiting() && !parts_.why.busy();
 }
 
 bool PlayScreen::keepsPicture() const {

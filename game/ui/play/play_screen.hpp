@@ -67,6 +67,8 @@ public:
 
 private:
     void useSecondPlayer(double seconds);
+    /// The name of the object on which the pointer rests.
+    void lookAtHover(double seconds);
     /// The held direction of a gamepad moves the pointer or the view on.
     void holdDirection(Vec2 direction, double seconds, Pointer const& mouse);
     /// While the card of a what-if has the keyboard.

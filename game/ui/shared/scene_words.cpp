@@ -1,6 +1,8 @@
 #include "game/ui/shared/scene_words.hpp"
 
 #include "game/ui/shared/texts.hpp"
+#include "game/ui/shared/words.hpp"
+#include "insight/miss/current/short_circuits.hpp"
 #include "render/draw/palette.hpp"
 #include "render/panels/name_places.hpp"
 #include "render/panels/theme.hpp"
@@ -54,6 +56,15 @@ void drawNames(Camera const& camera, World const& world, SceneView const& scene,
     }
 }
 
+/// A mark at each short-circuited source: nothing else there shows why its devices are dark.
+void drawShortCircuits(Camera const& camera, World const& world, SceneView const& scene, double alpha) {
+    constexpr float below = 26; // pixels at UI scale 1: beside the source, not on it
+    for (ObjectId const source : insight::shortCircuits(world)) {
+        worldLabel(camera, scene.poseOf(world, source, alpha).at, words::capital(words::shortCircuit).c_str(),
+                   {.look = LabelLook::Chip, .colour = palette::warning, .below = below});
+    }
+}
+
 } // namespace
 
 void drawSceneWords(Camera const& camera, World const& world, SceneView const& scene, double alpha,
@@ -65,6 +76,7 @@ void drawSceneWords(Camera const& camera, World const& world, SceneView const& s
     if (names) {
         drawNames(camera, world, scene, alpha);
     }
+    drawShortCircuits(camera, world, scene, alpha);
 }
 
 } // namespace trembler::ui

@@ -1,4 +1,4 @@
-// Text in the world: the labels of objects, and their names if the player asks for them.
+// Text in the world: the labels of objects, their names if the player asks for them, and short circuits.
 #pragma once
 
 #include "render/scene/scene_view.hpp"

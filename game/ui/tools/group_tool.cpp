@@ -157,7 +157,7 @@ void GroupTool::drop(Pointer const& pointer) {
 void GroupTool::place(std::vector<PlacedPart> const& wanted) {
     Verdict const verdict = session_.checkAll(wanted);
     if (!verdict.ok) {
-        toasts_.add(translated(verdict.why), render::ToastKind::Trouble, groupReasonTime);
+        toasts_.add(words::capital(translated(verdict.why)), render::ToastKind::Trouble, groupReasonTime);
     } else {
         session_.moveAll(wanted);
     }
@@ -309,7 +309,7 @@ void GroupTool::duplicate() {
             return;
         }
     }
-    toasts_.add(translated(first.why), render::ToastKind::Trouble, groupReasonTime);
+    toasts_.add(words::capital(translated(first.why)), render::ToastKind::Trouble, groupReasonTime);
 }
 
 } // namespace trembler::ui

@@ -48,6 +48,7 @@ bool HandTool::handless() const {
 void HandTool::grab(Press const& press) {
     held_ = press.object;
     target_ = sentTarget_ = press.at;
+    lead_.begin(press.at);
     waiting_.push_back({PlayerInput::Kind::grab, press.object, {}, press.at, hand_});
 }
 
@@ -110,9 +111,13 @@ void HandTool::beforeStep() {
         session_.feed(input);
     }
     waiting_.clear();
-    if (held_.valid() && session_.world().store().alive(held_) && !(target_ == sentTarget_)) {
-        session_.feed({PlayerInput::Kind::move, held_, {}, target_, hand_});
-        sentTarget_ = target_;
+    if (!held_.valid() || !session_.world().store().alive(held_)) {
+        return;
+    }
+    Vec2 const target = lead_.ahead(target_);
+    if (!(target == sentTarget_)) {
+        session_.feed({PlayerInput::Kind::move, held_, {}, target, hand_});
+        sentTarget_ = target;
     }
 }
 

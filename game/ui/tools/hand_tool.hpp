@@ -2,6 +2,7 @@
 #pragma once
 
 #include "game/ui/shared/pointer.hpp"
+#include "game/ui/tools/hand_lead.hpp"
 #include "puzzle/session/session.hpp"
 #include "render/panels/toasts.hpp"
 #include "render/scene/objects/wires.hpp"
@@ -39,8 +40,11 @@ public:
     [[nodiscard]] render::Link takeCut() { return std::exchange(cut_, {}); }
     /// The held object, or an invalid id.
     [[nodiscard]] ObjectId held() const { return held_; }
-    /// Where the hand pulls it to, m.
-    [[nodiscard]] Vec2 target() const { return target_; }
+    /// Where the pointer is that drags it, m; nothing while nothing is held. The hand pulls to a place ahead
+    /// of it: see HandLead.
+    [[nodiscard]] std::optional<Vec2> pointer() const {
+        return held_.valid() ? std::optional(target_) : std::nullopt;
+    }
     /// An object is pressed, but may not be held yet.
     [[nodiscard]] bool busy() const { return press_.has_value() || held_.valid(); }
 
@@ -64,8 +68,9 @@ private:
     std::optional<Press> press_;
     std::vector<PlayerInput> waiting_; // for the next frame
     ObjectId held_;
-    Vec2 target_;
+    Vec2 target_;     // of the pointer
     Vec2 sentTarget_; // the last target that was fed to the session
+    HandLead lead_;
     bool cutting_ = false;
     render::Link wire_;
     render::Link cut_;

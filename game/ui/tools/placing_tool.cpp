@@ -119,7 +119,7 @@ void PlacingTool::drop(bool dragged) {
         // A dragged part returns to its former place. One that follows the mouse without a button stays in
         // the hand, which shows the reason.
         if (dragged) {
-            toasts_.add(translated(carried_->verdict.why), render::ToastKind::Trouble, 2.5);
+            toasts_.add(words::capital(translated(carried_->verdict.why)), render::ToastKind::Trouble, 2.5);
             carried_.reset();
         }
         return;
@@ -148,7 +148,7 @@ void PlacingTool::tryMove(int number, Placement const& wanted) {
     if (verdict.ok) {
         moveTo(number, wanted);
     } else {
-        toasts_.add(translated(verdict.why), render::ToastKind::Trouble, 2.5);
+        toasts_.add(words::capital(translated(verdict.why)), render::ToastKind::Trouble, 2.5);
     }
 }
 

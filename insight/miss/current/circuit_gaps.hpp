@@ -38,7 +38,7 @@ struct CircuitGap {
     /// m: its width, or the width of a gap that would be as bad.
     double cost = 0;
     GapReason reason = GapReason::apart;
-    ObjectId by{};     ///< the generator, the sensor or the fuse
+    ObjectId by{};     ///< the generator, the sensor or the fuse; of nameBy, see also Insulators
     double is = 0;     ///< speed in degrees a second, or level in dB(A) ...
     double needed = 0; ///< ... from which on it connects
     Vec2 from{};       ///< m, in the world, on a

@@ -1,6 +1,7 @@
 #include "insight/miss/current/current_miss.hpp"
 
 #include "insight/miss/condition_miss.hpp"
+#include "insight/miss/current/short_circuits.hpp"
 #include "insight/miss/current/ways_of_current.hpp"
 #include "insight/miss/obstacles.hpp"
 #include "physics/electricity/analyses/nodal.hpp"
@@ -56,6 +57,11 @@ Miss missOfOn(ConditionState const& state, World const& world, CircuitSight& cir
                 miss.measure = current_miss::shareOfPower * std::clamp(miss.by / needed, 0.0, 1.0);
             } else {
                 miss.measure = current_miss::shareOfPower;
+            }
+            if (ObjectId const source = shortCircuitBeside(world, id); source.valid()) {
+                miss.lack = Lack::shorted;
+                miss.by = 1;
+                miss.objects.push_back(source);
             }
         }
         if (miss.measure < best.measure) {

@@ -35,9 +35,13 @@ public:
 
     [[nodiscard]] Standing judge(ConditionState& state, World const& /*world*/) const override {
         std::span<ConditionState const> const children = std::as_const(state).children();
+        // Of one that must last, the time alone is progress (see ConditionState::update): some of its
+        // conditions hold before the player has done anything.
+        double const share =
+            state.condition().seconds ? 0.0 : 1 / std::max(static_cast<double>(children.size()), 1.0);
         double progress = 0;
         for (ConditionState const& child : children) {
-            progress += child.progress() / static_cast<double>(children.size());
+            progress += share * child.progress();
         }
         return {std::all_of(children.begin(), children.end(),
                             [](ConditionState const& child) { return child.met(); }),

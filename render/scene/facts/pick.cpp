@@ -70,8 +70,11 @@ Extent extentOf(Prototype const& prototype, Pose const& pose) {
     return extentOf(factsOf(prototype), pose);
 }
 
-Extent sceneFocus(World const& world) {
-    std::vector<Facts> const all = FactsReader(world).drawOrder();
+Extent sceneFocus(World const& world, Extent const& bounds) {
+    std::vector<Facts> all = FactsReader(world).drawOrder();
+    std::erase_if(all, [&](Facts const& facts) {
+        return !bounds.empty() && !facts.fixed && !extentOf(facts, poseOf(facts)).overlaps(bounds);
+    });
     auto const size = [](Extent const& extent) { return std::max(extent.half().x, extent.half().y); };
     Extent rest;
     double largest = 0;

@@ -30,7 +30,8 @@ namespace trembler::render {
 
 /// The rectangle around all objects that are seen, for Camera::fit; empty for an empty world. Of fixed bodies
 /// much larger than the other objects (a floor without end) it includes only the part around these: the view
-/// that a player wants at the start.
-[[nodiscard]] Extent sceneFocus(World const& world);
+/// that a player wants at the start. Without moving objects that lie outside `bounds`, which have flown or
+/// rolled away; empty bounds: there are none.
+[[nodiscard]] Extent sceneFocus(World const& world, Extent const& bounds = {});
 
 } // namespace trembler::render

@@ -68,13 +68,17 @@ void drawPatch(Canvas& canvas, ContactPatch const& patch) {
     for (std::size_t i = 0; i < static_cast<std::size_t>(std::clamp(patch.count, 0, 2)); ++i) {
         Point const at = toPoint(patch.points[i]);
         double const impulse = std::max(0.0, patch.normalImpulse[i]);
-        double const reach = canvas.metres(16) * (1 + std::log10(1 + 100 * impulse));
+        double const reach = contactArrowLength(impulse, canvas.metres(16));
         canvas.arrow(at, at + reach * toPoint(patch.normal), {.colour = palette::contact, .pixels = 2.6F});
         mark(canvas, at);
     }
 }
 
 } // namespace
+
+double contactArrowLength(double impulse, double unit) {
+    return unit * (1 + std::log10(1 + 100 * std::max(0.0, impulse)));
+}
 
 std::vector<Point> touchingPoints(Shape const& a, Pose const& poseA, Shape const& b, Pose const& poseB) {
     constexpr double near = 0.005;

@@ -14,6 +14,9 @@ namespace trembler::render {
 [[nodiscard]] std::vector<Point> touchingPoints(Shape const& a, Pose const& poseA, Shape const& b,
                                                 Pose const& poseB);
 
+/// Length of the arrow of an impulse in N s: `unit` without one, and `unit` more for each tenfold above 0.01.
+[[nodiscard]] double contactArrowLength(double impulse, double unit);
+
 /// Points with normals, and impulses as their lengths, where they are computed; otherwise a mark between
 /// every pair that touches.
 void drawContacts(Canvas& canvas, World const& world);

@@ -8,7 +8,7 @@ namespace trembler::render {
 namespace {
 
 void drawBand(Canvas& canvas, World const& world, FactsReader const& reader, PoseOf const& poseOf,
-              Hand const* hand, Colour colour) {
+              Hand const* hand, std::optional<Point> place, Colour colour) {
     if (hand == nullptr || !world.store().alive(hand->object)) {
         return;
     }
@@ -17,7 +17,7 @@ void drawBand(Canvas& canvas, World const& world, FactsReader const& reader, Pos
         return;
     }
     Point const from = toWorld(poseOf(held), toPoint(hand->localPoint));
-    Point const to = toPoint(hand->target);
+    Point const to = place.value_or(toPoint(hand->target));
     // The further the cord is stretched, the thinner it gets.
     double const stretch = length(to - from) / canvas.metres(60);
     auto const pixels = static_cast<float>(2.2 + 3.4 / (1 + stretch));
@@ -30,10 +30,12 @@ void drawBand(Canvas& canvas, World const& world, FactsReader const& reader, Pos
 
 } // namespace
 
-void drawHand(Canvas& canvas, World const& world, FactsReader const& reader, PoseOf const& poseOf) {
-    drawBand(canvas, world, reader, poseOf, world.find<Hand>(), palette::accent);
+void drawHand(Canvas& canvas, World const& world, FactsReader const& reader, PoseOf const& poseOf,
+              HandPlaces const& places) {
+    drawBand(canvas, world, reader, poseOf, world.find<Hand>(), places[0], palette::accent);
     SecondHand const* const second = world.find<SecondHand>();
-    drawBand(canvas, world, reader, poseOf, second == nullptr ? nullptr : &second->grip, palette::secondHand);
+    drawBand(canvas, world, reader, poseOf, second == nullptr ? nullptr : &second->grip, places[1],
+             palette::secondHand);
 }
 
 } // namespace trembler::render

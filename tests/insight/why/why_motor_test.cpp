@@ -18,43 +18,46 @@ std::size_t timesOf(Answer const& answer, StepKind kind, std::vector<std::string
 // "until the next spoke (this time a 'south' spoke) collides with the sliding contact, activating the other
 // electromagnet".
 TEST(WhyMotor, TheAccountOfTheStartIsTheChainTold) {
-    Answer const answer = answerIn("3-electric-motor", "hands off", ofObject("EM-South", 1.08), 120);
+    Answer const answer =
+        answerIn("3-electric-motor", "hands off", ofObject("lower electromagnet", 1.08), 120);
     ASSERT_TRUE(answer.happened);
     expectChain(answer, {{StepKind::contact, {"sliding contact", "spoke 1"}},
-                         {StepKind::on, {"EM-North"}},
-                         {StepKind::magnetOn, {"EM-North"}},
-                         {StepKind::push, {"spoke 4", "EM-North"}},
-                         {StepKind::pull, {"spoke 7", "EM-North"}},
+                         {StepKind::on, {"upper electromagnet"}},
+                         {StepKind::magnetOn, {"upper electromagnet"}},
+                         {StepKind::push, {"spoke 4", "upper electromagnet"}},
+                         {StepKind::pull, {"spoke 7", "upper electromagnet"}},
                          {StepKind::contact, {"sliding contact", "spoke 8"}},
-                         {StepKind::on, {"EM-South"}},
-                         {StepKind::magnetOn, {"EM-South"}}});
+                         {StepKind::on, {"lower electromagnet"}},
+                         {StepKind::magnetOn, {"lower electromagnet"}}});
     EXPECT_LT(answer.chain[placeIn(answer, StepKind::contact, {"spoke 1"})].step.frame, 30U);
     EXPECT_GE(answer.chain[placeIn(answer, StepKind::contact, {"spoke 8"})].step.frame, 60U);
     EXPECT_LT(answer.chain[placeIn(answer, StepKind::contact, {"spoke 8"})].step.frame, 90U);
     EXPECT_EQ(answer.chain.size(), 8U) << told(answer);
-    EXPECT_EQ(
-        told(answer),
-        "EM-South becomes magnetic, because current flows through EM-South, because the sliding contact "
-        "touches spoke 8, because EM-North pushes spoke 4 away and because EM-North pulls spoke 7, because "
-        "EM-North becomes magnetic. EM-North becomes magnetic, because current flows through EM-North, "
-        "because the sliding contact touches spoke 1. ");
+    EXPECT_EQ(told(answer), "The lower electromagnet becomes magnetic, because current flows through the "
+                            "lower electromagnet, because the sliding contact "
+                            "touches spoke 8, because the upper electromagnet pushes spoke 4 away and "
+                            "because the upper electromagnet pulls spoke 7, because "
+                            "The upper electromagnet becomes magnetic. The upper electromagnet becomes "
+                            "magnetic, because current flows through the upper electromagnet, "
+                            "because the sliding contact touches spoke 1. ");
 }
 
 // "This basic process will repeat for a while": the electromagnets take turns, spoke after spoke, and what is
 // told of one turn is told of all.
 TEST(WhyMotor, TheProcessRepeats) {
-    Answer const answer = answerIn("3-electric-motor", "hands off", ofObject("EM-South", 5.2), 320);
+    Answer const answer =
+        answerIn("3-electric-motor", "hands off", ofObject("lower electromagnet", 5.2), 320);
     ASSERT_TRUE(answer.happened);
-    expectChain(answer, {{StepKind::on, {"EM-North"}},
-                         {StepKind::magnetOn, {"EM-North"}},
-                         {StepKind::push, {"EM-North"}},
-                         {StepKind::pull, {"EM-North"}},
-                         {StepKind::on, {"EM-South"}},
-                         {StepKind::magnetOn, {"EM-South"}},
-                         {StepKind::pull, {"EM-South"}},
-                         {StepKind::push, {"EM-South"}},
+    expectChain(answer, {{StepKind::on, {"upper electromagnet"}},
+                         {StepKind::magnetOn, {"upper electromagnet"}},
+                         {StepKind::push, {"upper electromagnet"}},
+                         {StepKind::pull, {"upper electromagnet"}},
+                         {StepKind::on, {"lower electromagnet"}},
+                         {StepKind::magnetOn, {"lower electromagnet"}},
+                         {StepKind::pull, {"lower electromagnet"}},
+                         {StepKind::push, {"lower electromagnet"}},
                          {StepKind::contact, {"sliding contact", "spoke 6"}}});
-    for (char const* const coil : {"EM-North", "EM-South"}) {
+    for (char const* const coil : {"upper electromagnet", "lower electromagnet"}) {
         for (StepKind const kind : {StepKind::on, StepKind::magnetOn, StepKind::push, StepKind::pull}) {
             EXPECT_GE(timesOf(answer, kind, {coil}), 3U) << coil << ": " << told(answer);
         }
@@ -68,10 +71,10 @@ TEST(WhyMotor, ItTurnsBecauseOfItsElectromagnet) {
         Answer const answer = answerIn("3-electric-motor", solution);
         ASSERT_TRUE(answer.happened);
         expectChain(answer, {{StepKind::contact, {"sliding contact"}},
-                             {StepKind::on, {"EM-North"}},
-                             {StepKind::magnetOn, {"EM-North"}},
-                             {StepKind::push, {"EM-North"}},
-                             {StepKind::pull, {"EM-North"}},
+                             {StepKind::on, {"upper electromagnet"}},
+                             {StepKind::magnetOn, {"upper electromagnet"}},
+                             {StepKind::push, {"upper electromagnet"}},
+                             {StepKind::pull, {"upper electromagnet"}},
                              {StepKind::goal, {"spoke 1"}}});
         EXPECT_TRUE(answer.confirmed) << told(answer);
         EXPECT_GE(timesOf(answer, StepKind::contact, {"sliding contact"}), 3U) << told(answer);
@@ -87,20 +90,21 @@ TEST(WhyMotor, ItIsWithoutCurrentBecauseOfWhatThePlayerDid) {
     for (auto const& [solution, deed] : alternatives) {
         Answer const answer = answerIn("3-electric-motor", solution, {}, 0, true);
         ASSERT_TRUE(answer.happened) << solution;
-        expectChain(answer, {{deed, {"sliding contact"}}, {StepKind::goal, {"EM-North", "EM-South"}}});
+        expectChain(answer, {{deed, {"sliding contact"}},
+                             {StepKind::goal, {"upper electromagnet", "lower electromagnet"}}});
         expectChain(answer, {{StepKind::contact, {"sliding contact"}},
-                             {StepKind::off, {"EM-South"}},
-                             {StepKind::goal, {"EM-North", "EM-South"}}});
+                             {StepKind::off, {"lower electromagnet"}},
+                             {StepKind::goal, {"upper electromagnet", "lower electromagnet"}}});
     }
 }
 
 // Experiment III: "the sliding contact falls onto a spoke and closes a circuit through it", and opens it.
 TEST(WhyMotor, TheMotorsMagnetIsSwitchedByTheSlidingContact) {
-    Answer const off = answerIn("3-electric-motor", "hands off", ofObject("EM-North", 1), 120);
+    Answer const off = answerIn("3-electric-motor", "hands off", ofObject("upper electromagnet", 1), 120);
     ASSERT_TRUE(off.happened);
     expectInOrder(off, {{StepKind::contact, {"sliding contact", "spoke 1"}},
-                        {StepKind::off, {"EM-North"}},
-                        {StepKind::magnetOff, {"EM-North"}}});
+                        {StepKind::off, {"upper electromagnet"}},
+                        {StepKind::magnetOff, {"upper electromagnet"}}});
 }
 
 // "Put the stone block where the spokes have to pass."
@@ -117,17 +121,17 @@ TEST(WhyMotor, FourSpokesTurnItInTheSameWay) {
     Answer const answer = answerIn("3b-four-spokes", "hands off");
     ASSERT_TRUE(answer.happened);
     expectChain(answer, {{StepKind::contact, {"sliding contact", "spoke 1"}},
-                         {StepKind::on, {"EM-South"}},
-                         {StepKind::magnetOn, {"EM-South"}},
-                         {StepKind::push, {"EM-South"}},
+                         {StepKind::on, {"lower electromagnet"}},
+                         {StepKind::magnetOn, {"lower electromagnet"}},
+                         {StepKind::push, {"lower electromagnet"}},
                          {StepKind::contact, {"sliding contact", "spoke 4"}},
-                         {StepKind::on, {"EM-North"}},
-                         {StepKind::magnetOn, {"EM-North"}},
-                         {StepKind::push, {"EM-North"}},
+                         {StepKind::on, {"upper electromagnet"}},
+                         {StepKind::magnetOn, {"upper electromagnet"}},
+                         {StepKind::push, {"upper electromagnet"}},
                          {StepKind::contact, {"sliding contact", "spoke 2"}},
                          {StepKind::goal, {"spoke 1"}}});
-    EXPECT_LT(placeIn(answer, StepKind::pull, {"EM-South"}), answer.chain.size()) << told(answer);
-    EXPECT_LT(placeIn(answer, StepKind::pull, {"EM-North"}), answer.chain.size()) << told(answer);
+    EXPECT_LT(placeIn(answer, StepKind::pull, {"lower electromagnet"}), answer.chain.size()) << told(answer);
+    EXPECT_LT(placeIn(answer, StepKind::pull, {"upper electromagnet"}), answer.chain.size()) << told(answer);
 }
 
 // Held and let go, it starts again because the base magnet turns a spoke to the contact.
@@ -136,8 +140,8 @@ TEST(WhyMotor, TheBaseMagnetStartsItAgain) {
     ASSERT_TRUE(answer.happened);
     expectChain(answer, {{StepKind::push, {"base magnet"}},
                          {StepKind::contact, {"sliding contact"}},
-                         {StepKind::on, {"EM-North"}},
-                         {StepKind::magnetOn, {"EM-North"}},
+                         {StepKind::on, {"upper electromagnet"}},
+                         {StepKind::magnetOn, {"upper electromagnet"}},
                          {StepKind::goal, {"spoke 1"}}});
     expectChain(answer, {{StepKind::grabbed, {"spoke 1"}}, {StepKind::goal, {"spoke 1"}}});
     Answer const held = answerIn("3b-four-spokes", "hold the axis", {}, 0, true);
@@ -155,10 +159,10 @@ TEST(WhyMotor, WithTheBaseMagnetItStarts) {
                          {StepKind::push, {"base magnet 1"}},
                          {StepKind::pull, {"base magnet 1"}},
                          {StepKind::contact, {"sliding contact", "spoke 8"}},
-                         {StepKind::on, {"EM-South"}},
-                         {StepKind::magnetOn, {"EM-South"}},
-                         {StepKind::pull, {"EM-South"}},
-                         {StepKind::push, {"EM-South"}},
+                         {StepKind::on, {"lower electromagnet"}},
+                         {StepKind::magnetOn, {"lower electromagnet"}},
+                         {StepKind::pull, {"lower electromagnet"}},
+                         {StepKind::push, {"lower electromagnet"}},
                          {StepKind::goal, {"spoke 1"}}});
 }
 

@@ -1,4 +1,5 @@
-// Files that are dropped onto the window; the other events are tested by the screens that use them.
+// Files that are dropped onto the window, and modifiers; the other events are tested by the screens that use
+// them.
 #include "render/window/input_events.hpp"
 #include "tests/support/synthetic_input.hpp"
 
@@ -25,6 +26,21 @@ TEST(InputEvents, FilesThatAreDroppedAreThereForOneFrame) {
     }
     input.poll();
     EXPECT_TRUE(input.dropped().empty());
+}
+
+// At five pictures a second Ctrl is pressed and let go again between two of them.
+TEST(InputEvents, ModifiersOfASlowFrameAreNotLost) {
+    Window const window({.size = {320, 200}, .mode = WindowMode::Offscreen});
+    InputEvents input(window);
+    input.poll();
+    pushKey(window, SDLK_LCTRL, true, KMOD_LCTRL);
+    pushMouseButton(window, MouseButton::Left, true, {10, 10});
+    pushKey(window, SDLK_LCTRL, false, KMOD_NONE);
+    input.poll();
+    EXPECT_TRUE(input.pressed(MouseButton::Left));
+    EXPECT_NE(input.modifiers() & KMOD_CTRL, 0U);
+    input.poll();
+    EXPECT_EQ(input.modifiers() & KMOD_CTRL, 0U) << "of that frame only";
 }
 
 } // namespace

@@ -136,7 +136,7 @@ bool KeysPage::draw(UiContext& context) {
     ImGui::PopStyleColor();
     float const half = (ImGui::GetContentRegionAvail().x - scaled(8)) / 2 / theme().scale;
     bool reset = bigButton(text("keys.reset"),
-                           {.icon = Icon::Reset, .width = half, .enabled = !context.keys.isDefault()});
+                           {.icon = Icon::Undo, .width = half, .enabled = !context.keys.isDefault()});
     layout.item("reset keys");
     reset = context.focus.item() || reset;
     if (reset) {

@@ -75,7 +75,7 @@ std::optional<ScreenRequest> Menu::drawMain(UiContext& context, Screen& behind) 
     layout.beginCard("menu", text("menu.paused"), {.anchor = Anchor::Middle, .width = menuWidth});
     ImGui::Dummy({0, scaled(4)});
     bool const resume = wide(context, "menu.resume", Icon::Play, ButtonLook::Primary);
-    bool const restart = behind.commands().has("restart") && wide(context, "menu.restart", Icon::Reset);
+    bool const restart = behind.commands().has("restart") && wide(context, "menu.restart", Icon::Repeat);
     if (behind.loadableSolutions() != nullptr && wide(context, "menu.solutions", Icon::Save)) {
         pages_.push_back(MenuPage::solutions);
     }

@@ -32,7 +32,7 @@ void openNext(PlayParts& parts) {
 
 constexpr Command<PlayParts> levelTable[] = {
     {.info = {.id = "restart",
-              .icon = Icon::Reset,
+              .icon = Icon::Repeat,
               .group = CommandGroup::building,
               .name = words::restart,
               .tip = "Put all parts back and forget the hints: the level as it was opened",

@@ -69,7 +69,7 @@ constexpr Command<PlayParts> undoingTable[] = {
      .available = [](PlayParts const& parts) { return parts.session.canRedo(); }},
     {.info = {.id = "all-back",
               .keys = {{{SDLK_BACKSPACE}}},
-              .icon = Icon::Reset,
+              .icon = Icon::Remove,
               .group = CommandGroup::building,
               .name = "Put all back",
               .tip = "Put all parts back into the toolbox",

@@ -13,6 +13,8 @@ using render::Point;
 
 /// A place on an object that holds the whole name is worse than a free one and better than an edge.
 constexpr double backgroundCost = 0.15;
+/// A name from one object to another hides the way between them, which may be the way into the area.
+constexpr double passageCost = 0.5;
 /// Of each line of letters by which the name is farther from the area; a share of the name's own size.
 constexpr double lineCost = 0.03;
 constexpr int mostLines = 2;
@@ -31,6 +33,24 @@ double areaNameCover(Extent const& name, std::span<Extent const> objects) {
         sum += (behind ? backgroundCost : 1) * across * up;
     }
     return sum;
+}
+
+/// Whether objects lie under both ends of the name and there is a free place between them.
+bool hidesAPassage(Extent const& name, std::span<Extent const> objects) {
+    double const middle = name.centre().x;
+    bool left = false;
+    bool right = false;
+    for (Extent const& object : objects) {
+        if (!object.overlaps(name)) {
+            continue;
+        }
+        if (object.lower.x <= middle && object.upper.x >= middle) {
+            return false;
+        }
+        left = left || (object.lower.x <= name.lower.x && object.upper.x < middle);
+        right = right || (object.upper.x >= name.upper.x && object.lower.x > middle);
+    }
+    return left && right;
 }
 
 } // namespace
@@ -72,7 +92,8 @@ Point areaNamePlace(render::Camera const& camera, Extent const& area, Point size
             Extent name;
             name.add(at - half);
             name.add(at + half);
-            double const cost = areaNameCover(name, objects) / whole + row.cost;
+            double const passage = hidesAPassage(name, objects) ? passageCost : 0;
+            double const cost = areaNameCover(name, objects) / whole + row.cost + passage;
             if (cost < least) {
                 least = cost;
                 best = at;

@@ -14,8 +14,8 @@ constexpr std::array standingCards{"goal", "toolbox", "transport", "tools", "cor
 constexpr std::size_t goalIndex = 0;
 constexpr std::size_t toolboxIndex = 1;
 /// Cards of one entry take each other's place.
-constexpr std::array<std::array<char const*, 2>, 2> openedCards{
-    {{"components", "mods"}, {"inspector", "why"}}};
+constexpr std::array<std::array<char const*, 2>, 3> openedCards{
+    {{"components", "mods"}, {"inspector", "why"}, {"legend", "legend"}}};
 
 constexpr double cardClearance = 6; // pixels at UI scale 1, around a card
 constexpr double enoughRoom = 200;  // pixels at UI scale 1, between the cards at the left and the right

@@ -12,10 +12,18 @@ Rect onScreen(render::Camera const& camera, render::Extent const& extent) {
             camera.toScreen({extent.upper.x, extent.lower.y})};
 }
 
+render::Extent focusOf(Session const& session) {
+    render::Extent bounds;
+    if (auto const& box = session.level().bounds) {
+        bounds = render::extentOf(Area{.box = box, .corners = {}});
+    }
+    return render::sceneFocus(session.world(), bounds);
+}
+
 LevelExtents levelExtents(Session const& session, GoalAreas const& goals, PartCatalog& catalog) {
     constexpr double gap = 0.06;   // m, around each
     constexpr double handle = 0.7; // m, from a part's edge to beyond its handle, if the level is small
-    render::Extent const focus = render::sceneFocus(session.world());
+    render::Extent const focus = focusOf(session);
     LevelExtents all;
     for (render::Extent const& own : render::extentsOf(session.world())) {
         if (!own.overlaps(focus)) {

@@ -23,6 +23,9 @@ struct LevelExtents {
 /// Where the rectangle of the world is in the window.
 [[nodiscard]] Rect onScreen(render::Camera const& camera, render::Extent const& extent);
 
+/// render::sceneFocus() of the session's world within the level's bounds.
+[[nodiscard]] render::Extent focusOf(Session const& session);
+
 [[nodiscard]] LevelExtents levelExtents(Session const& session, GoalAreas const& goals, PartCatalog& catalog);
 
 } // namespace trembler::ui

@@ -35,6 +35,19 @@ TEST(AllCondition, HoldsWhileAllOfThemHoldAtTheSameTime) {
     EXPECT_EQ(stage.judge().causes(stage.world()), (std::vector<EventId>{{3}}));
 }
 
+// What holds from the start is no progress: half of the bar was full before anything was done.
+TEST(AllCondition, CountsOnlyTimeIfItMustLast) {
+    GoalStage stage(R"({"all": [{"off": "lamp"}, {"on": "lamp 2"}], "for": 0.1})");
+    stage.step();
+    EXPECT_EQ(stage.judge().status()[0].progress, 0);
+    stage.turn("lamp 2", true);
+    stage.step(3);
+    EXPECT_DOUBLE_EQ(stage.judge().status()[0].progress, 0.5);
+    stage.turn("lamp 2", false);
+    stage.step();
+    EXPECT_EQ(stage.judge().status()[0].progress, 0) << "it must last without a break";
+}
+
 TEST(AllCondition, IsReadOrRefusedAtItsPlace) {
     EXPECT_TRUE(isRefused(R"({"all": []})", "/goals/all: is empty"));
     EXPECT_TRUE(isRefused(R"({"all": {"on": "lamp"}})", "a list of conditions"));

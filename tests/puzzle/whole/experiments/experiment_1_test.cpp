@@ -5,6 +5,7 @@
 #include "physics/magnetism/properties.hpp"
 #include "puzzle/data/game_data.hpp"
 #include "puzzle/session/session.hpp"
+#include "runtime/level/json/json_document.hpp"
 #include "runtime/level/read/read_level.hpp"
 #include "runtime/placement.hpp"
 #include "tests/support/game_data.hpp"
@@ -12,6 +13,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <fstream>
+#include <iterator>
 #include <map>
 
 namespace trembler {
@@ -226,6 +229,29 @@ TEST_F(ExperimentOne, ConstructsOnlyTheNeededComponents) {
     EXPECT_EQ(state["Electricity Resolver"], Activity::asleep);
     EXPECT_EQ(state["Magnetics Resolver"], Activity::asleep);
     EXPECT_LT(updates["Electricity Resolver"], 30U);
+}
+
+// It rolled to and fro under the magnet for minutes; only its own damping stops that, as nothing resists
+// rolling.
+TEST(LiftedBall, ComesToRestUnderTheMagnetAlthoughItLayBesideIt) {
+    std::ifstream file(gameData().home / "levels/experiments/1-switched-electromagnet.json");
+    std::string text((std::istreambuf_iterator<char>(file)), {});
+    std::string const stated = R"("at": [1.8, 0.15])";
+    ASSERT_NE(text.find(stated), std::string::npos);
+    text.replace(text.find(stated), stated.size(), R"("at": [1.88, 0.15])");
+    Session session(gameData().registry, gameData().parts,
+                    readLevel(gameData().registry, JsonDocument::parse(text, "beside.json")), {});
+    session.load(*session.level().findSolution("hands off"));
+    ObjectId const ball = session.world().store().find("metal object");
+    auto const speed = [&] { return length(session.world().find<Velocity>(ball)->value); };
+    double fastest = 0;
+    for (int frame = 0; frame < 1200; ++frame) {
+        session.step();
+        fastest = std::max(fastest, frame > 300 ? speed() : 0.0);
+    }
+    EXPECT_GT(session.world().find<Position>(ball)->value.y, 1) << "the magnet holds it";
+    EXPECT_GT(fastest, 0.001) << "it rolled at first";
+    EXPECT_LT(speed(), 0.001) << "after 20 s";
 }
 
 } // namespace

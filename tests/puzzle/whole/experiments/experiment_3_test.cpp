@@ -40,15 +40,16 @@ TEST_F(ExperimentThree, TurnsAnticlockwiseByItself) {
     Tachometer const tachometer = follow(600);
     EXPECT_GT(tachometer.turns(), 2);
     EXPECT_TRUE(session().solved());
-    // The sliding contact falls onto the top spoke, a north one, and that switches EM-North on.
+    // The sliding contact falls onto the top spoke, a north one, and that switches upper electromagnet on.
     Event const& touched = first("contact begun", {"sliding contact", "spoke 1"});
-    Event const& north = first("on", {"EM-North"});
+    Event const& north = first("on", {"upper electromagnet"});
     EXPECT_EQ(north.frame, touched.frame + 1);
     EXPECT_TRUE(led(touched, north));
-    EXPECT_LT(north.frame, first("on", {"EM-South"}).frame);
-    EXPECT_TRUE(led(north, first("magnet on", {"EM-North"})));
+    EXPECT_LT(north.frame, first("on", {"lower electromagnet"}).frame);
+    EXPECT_TRUE(led(north, first("magnet on", {"upper electromagnet"})));
     // The next spoke is a south one, which switches the other electromagnet on.
-    EXPECT_TRUE(led(first("contact begun", {"sliding contact", "spoke 8"}), first("on", {"EM-South"})));
+    EXPECT_TRUE(
+        led(first("contact begun", {"sliding contact", "spoke 8"}), first("on", {"lower electromagnet"})));
 }
 
 TEST_F(ExperimentThree, StartsFromAnyAngle) {
@@ -85,7 +86,7 @@ TEST_F(ExperimentThree, StopsWhenTheAxisIsJammed) {
 }
 
 TEST_F(ExperimentThree, StopsWhileAHandHoldsItAndGoesOnAfterwards) {
-    open(eight, "hold the axis");
+    open(eight, "hold the axle");
     EXPECT_GT(follow(900).turns(), 4);
     EXPECT_LT(std::abs(follow(1200).turns()), 0.25) << "five seconds in the hand";
     EXPECT_GT(follow(1800).turns(), 2) << "let go, it should start again";
@@ -95,16 +96,16 @@ TEST_F(ExperimentThree, StopsWhenTheCircuitIsBroken) {
     open(eight, "cut the wire");
     EXPECT_GT(follow(900).turns(), 4);
     EXPECT_LT(follow(6000).turns(), 4) << "its damping brings it to a stop";
-    EXPECT_FALSE(on("EM-North"));
-    EXPECT_FALSE(on("EM-South"));
-    EXPECT_EQ(spin("main axis"), 0);
+    EXPECT_FALSE(on("upper electromagnet"));
+    EXPECT_FALSE(on("lower electromagnet"));
+    EXPECT_EQ(spin("main axle"), 0);
 }
 
 TEST_F(ExperimentThree, StopsWhenTheSlidingContactIsLifted) {
     open(eight, "lift the sliding contact");
     EXPECT_GT(follow(900).turns(), 4);
     EXPECT_LT(follow(6000).turns(), 4);
-    EXPECT_EQ(spin("main axis"), 0);
+    EXPECT_EQ(spin("main axle"), 0);
 }
 
 TEST_F(ExperimentThree, WithoutABaseMagnetSometimesDoesNotStart) {
@@ -117,7 +118,7 @@ TEST_F(ExperimentThree, WithoutABaseMagnetSometimesDoesNotStart) {
             ++started;
         } else {
             ++stuck;
-            EXPECT_LT(std::abs(spin("main axis")), 0.02) << "figure 6-13 shows a motor at rest";
+            EXPECT_LT(std::abs(spin("main axle")), 0.02) << "figure 6-13 shows a motor at rest";
         }
     }
     RecordProperty("started", started);

@@ -184,6 +184,22 @@ TEST(SceneBounds, FocusLeavesOutTheFarEndsOfTheFloor) {
     EXPECT_NEAR(extentOf(whole, poseOf(whole)).upper.x, 1000, 1e-9);
 }
 
+TEST(SceneBounds, FocusLeavesOutWhatHasLeftTheBounds) {
+    World world(everything());
+    body(world, "crate", {boxPiece(1, 1)}, {-3, 0.5});
+    Extent const crate = sceneFocus(world);
+    ObjectId const balloon = body(world, "balloon", {circlePiece(0.2)}, {2, 3});
+    Extent bounds;
+    bounds.add(Point{-4, -1});
+    bounds.add(Point{4, 4});
+    EXPECT_NEAR(sceneFocus(world, bounds).upper.y, 3.2, 1e-12);
+    world.store().column<Position>().set(balloon, {{2, 40}});
+    EXPECT_EQ(sceneFocus(world, bounds).upper, crate.upper);
+    EXPECT_NEAR(sceneFocus(world).upper.y, 40.2, 1e-12) << "where there are no bounds it counts";
+    world.store().column<Fixed>().set(balloon, {});
+    EXPECT_NEAR(sceneFocus(world, bounds).upper.y, 40.2, 1e-12) << "it was there from the start";
+}
+
 TEST(SceneBounds, APartHasTheExtentOfTheObjectThatItBecomes) {
     Prototype part;
     part.values.push_back(

@@ -95,6 +95,21 @@ TEST(AreaNamePlace, IsBesideAPostThatStandsOnTheArea) {
     }
 }
 
+// "the basket" lay over the hole in the table through which the ball gets into it.
+TEST(AreaNamePlace, LeavesTheWayIntoTheAreaFree) {
+    Player player;
+    player.open(levelsFolder() / "3-magnets/3-too-fast-for-the-hole.json");
+    player.frames(10);
+    render::Camera const& camera = player.play().camera();
+    Point const half = (0.5 / camera.pixelsPerMetre) * Point{62, 18}; // about "the basket"
+    Extent const area = around({0.57, 0.75}, {1.23, 1.22});
+    std::vector<Extent> const hole{around({0.72, 1.23}, {1.08, 1.3})};
+    EXPECT_TRUE(coversAny({0.9, area.upper.y + half.y}, half, hole)) << "above the middle, where it was";
+    Point const at = areaNamePlace(camera, area, Point{62, 18}, render::extentsOf(player.session().world()));
+    EXPECT_FALSE(coversAny(at, half, hole)) << at.x << ", " << at.y;
+    player.look("basket");
+}
+
 } // namespace
 } // namespace area_name_place_test
 } // namespace trembler::ui::test

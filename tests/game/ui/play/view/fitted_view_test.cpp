@@ -1,4 +1,5 @@
 // Cards that are opened beside a level do not cover it: the view shows the whole level beside them.
+#include "game/ui/play/view/level_extents.hpp"
 #include "physics/dynamics/properties/body.hpp"
 #include "render/scene/facts/facts.hpp"
 #include "render/scene/facts/pick.hpp"
@@ -136,6 +137,32 @@ TEST(FittedView, NothingLiesUnderMods) {
     player.open(dataFolder() / "breeze.json");
     player.key(SDLK_m);
     expectUncovered(player, "mods");
+}
+
+// A balloon beside the contacts rises without end. What has left the level is not looked for.
+TEST(FittedView, DoesNotFollowABalloonThatFliesAway) {
+    Player player;
+    player.open(levelsFolder() / "2-electricity/2-the-easy-way.json");
+    player.drag(player.item("part foil balloon"), player.at({1, 2.6}));
+    ASSERT_EQ(player.session().placed().size(), 1U);
+    player.frames(10);
+    render::Camera const before = player.play().camera();
+    player.key(SDLK_SPACE);
+    player.simulate(480);
+    World const& world = player.session().world();
+    EXPECT_GT(world.find<Position>(world.store().find("foil balloon 1"))->value.y, 8) << "it is away";
+    EXPECT_LT(focusOf(player.session()).upper.y, 5) << "a picture of this moment does not show it";
+    player.key(SDLK_p);
+    player.key(SDLK_HOME);
+    player.key(SDLK_c);
+    player.key(SDLK_c);
+    player.frames(10);
+    EXPECT_NEAR(player.play().camera().pixelsPerMetre, before.pixelsPerMetre, 1e-6);
+    EXPECT_NEAR(length(player.play().camera().centre - before.centre), 0, 0.01);
+    player.look("balloon-away");
+    player.key(SDLK_SPACE);
+    player.frames(10);
+    EXPECT_NEAR(player.play().camera().pixelsPerMetre, before.pixelsPerMetre, 1e-6);
 }
 
 TEST(FittedView, StaysWhereThePlayerHasMovedIt) {
