@@ -33,15 +33,12 @@ TEST(WhyMotor, TheAccountOfTheStartIsTheChainTold) {
     EXPECT_GE(answer.chain[placeIn(answer, StepKind::contact, {"spoke 8"})].step.frame, 60U);
     EXPECT_LT(answer.chain[placeIn(answer, StepKind::contact, {"spoke 8"})].step.frame, 90U);
     EXPECT_EQ(answer.chain.size(), 8U) << told(answer);
-    EXPECT_EQ(
-        told(answer),
-        "The lower electromagnet becomes magnetic, because current flows through the lower electromagnet, "
-        "because the sliding contact touches spoke 8, because the upper electromagnet pushes spoke 4 away "
-        "and "
-        "because the upper electromagnet pulls spoke 7, because the upper electromagnet becomes magnetic. "
-        "The "
-        "upper electromagnet becomes magnetic, because current flows through the upper electromagnet, "
-        "because the sliding contact touches spoke 1. ");
+    EXPECT_EQ(told(answer),
+              "The lower electromagnet becomes magnetic, because current flows through the lower "
+              "electromagnet, because the sliding contact touches spoke 8, because the upper electromagnet "
+              "pushes spoke 4 away and because the upper electromagnet pulls spoke 7, because the upper "
+              "electromagnet becomes magnetic. The upper electromagnet becomes magnetic, because current "
+              "flows through the upper electromagnet, because the sliding contact touches spoke 1. ");
 }
 
 // "This basic process will repeat for a while": the electromagnets take turns, spoke after spoke, and what is
