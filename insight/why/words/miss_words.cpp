@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <optional>
@@ -212,22 +211,6 @@ std::string sentenceOf(Miss const& miss, Extreme extreme, std::string const& whe
     return language.fill("it was met", {}) + when;
 }
 
-/// The key of what a further run showed.
-char const* ifKey(Lack lack) {
-    switch (lack) {
-    case Lack::blocked:
-    case Lack::grab:
-    case Lack::cut:
-    case Lack::removal:
-        return "if_gone";
-    case Lack::unpushed:
-    case Lack::push:
-        return "if_pushed";
-    default:
-        return "if_closed";
-    }
-}
-
 /// What the run without the obstacle showed about the goal.
 std::string otherwiseText(Miss const& miss, AnswerLanguage const& language) {
     bool const met = miss.ifClosed == IfClosed::met;
@@ -281,57 +264,6 @@ std::vector<std::string> sentencesOf(Miss const& miss, AnswerLanguage const& lan
         addSentences(other, Extreme::nearest, miss.frame, language, sentences);
     }
     return sentences;
-}
-
-nlohmann::ordered_json toJson(Miss const& miss) {
-    nlohmann::ordered_json made{{"frame", miss.frame},     {"what", nameOf(miss.lack)},
-                                {"by", miss.by},           {"unit", unitOf(miss.lack)},
-                                {"measure", miss.measure}, {"objects", miss.names}};
-    nlohmann::ordered_json gaps = nlohmann::ordered_json::array();
-    for (CircuitGap const& gap : miss.gaps) {
-        gaps.push_back({{"between", {gap.nameA, gap.nameB}},
-                        {"width", gap.width},
-                        {"from", {gap.from.x, gap.from.y}},
-                        {"to", {gap.to.x, gap.to.y}},
-                        {"reason", nameOf(gap.reason)}});
-        if (!gap.nameBy.empty()) {
-            gaps.back()["by"] = gap.nameBy;
-        }
-        if (gap.reason == GapReason::slow || gap.reason == GapReason::quiet) {
-            if (gap.reason == GapReason::slow || gap.is > 0) { // too faint a sound is not computed
-                gaps.back()["is"] = gap.is;
-            }
-            gaps.back()["needed"] = gap.needed;
-        }
-    }
-    if (!gaps.empty()) {
-        made["gaps"] = gaps;
-    }
-    nlohmann::ordered_json ways = nlohmann::ordered_json::array();
-    for (CurrentWay const& way : miss.ways) {
-        ways.push_back({way.nameA, way.nameB});
-    }
-    if (!ways.empty()) {
-        made["ways"] = ways;
-    }
-    if (miss.ifClosed != IfClosed::unknown) {
-        made[ifKey(miss.lack)] = miss.ifClosed == IfClosed::met ? "met" : "nearer";
-    }
-    if (miss.lack == Lack::count) {
-        made["too_many"] = miss.tooMany;
-    }
-    nlohmann::ordered_json besides = nlohmann::ordered_json::array();
-    for (Miss const& other : miss.besides) {
-        nlohmann::ordered_json one = toJson(other);
-        if (other.frame == 0) {
-            one.erase("frame"); // that of the whole
-        }
-        besides.push_back(std::move(one));
-    }
-    if (!besides.empty()) {
-        made["besides"] = besides;
-    }
-    return made;
 }
 
 } // namespace trembler::insight
