@@ -1,9 +1,10 @@
-// A miss as one JSON object.
+// A miss as `trembler why --json` writes it.
 #include "insight/why/words/miss_words.hpp"
 
 #include <nlohmann/json.hpp>
 
 namespace trembler::insight {
+namespace miss_json {
 namespace {
 
 /// The key of what a further run showed.
@@ -23,6 +24,7 @@ char const* ifKey(Lack lack) {
 }
 
 } // namespace
+} // namespace miss_json
 
 nlohmann::ordered_json toJson(Miss const& miss) {
     nlohmann::ordered_json made{{"frame", miss.frame},     {"what", nameOf(miss.lack)},
@@ -56,7 +58,7 @@ nlohmann::ordered_json toJson(Miss const& miss) {
         made["ways"] = ways;
     }
     if (miss.ifClosed != IfClosed::unknown) {
-        made[ifKey(miss.lack)] = miss.ifClosed == IfClosed::met ? "met" : "nearer";
+        made[miss_json::ifKey(miss.lack)] = miss.ifClosed == IfClosed::met ? "met" : "nearer";
     }
     if (miss.lack == Lack::count) {
         made["too_many"] = miss.tooMany;

@@ -23,8 +23,7 @@ std::unique_ptr<World> worldWith(std::string const& joints) {
                 "shape": [{"form": "box", "width": 0.4, "height": 0.1}]}}],
         "joints": [)" + joints +
                              "]}";
-    LevelFile const level =
-        readLevel(gameData().registry, JsonDocument::parse(text, "push.json"));
+    LevelFile const level = readLevel(gameData().registry, JsonDocument::parse(text, "push.json"));
     auto world = buildWorld(gameData().registry, level, gameData().parts);
     world->step(); // gravity's forces
     return world;
