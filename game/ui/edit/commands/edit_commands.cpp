@@ -14,10 +14,11 @@ namespace {
 using render::Icon;
 
 constexpr Command<EditParts> unlisted[] = {
-    {.info = {.id = "edit-back",
+    {.info = {.id = "back",
               .keys = {{{SDLK_ESCAPE}}},
               .pad = {render::padKey(SDL_CONTROLLER_BUTTON_B)},
-              .fixed = true,
+              .essential = true,
+              .leads = true,
               .group = CommandGroup::editing,
               .name = "Back",
               .tip = "Let go, deselect; then the menu",
