@@ -6,10 +6,16 @@
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 namespace trembler::edit {
 
 // A solution is referred to by its name; one that does not exist throws CommandError.
+
+/// Its place in the file's list.
+[[nodiscard]] std::size_t indexOfSolution(Json const& level, std::string const& name);
+/// The keys of a solution in their usual order.
+[[nodiscard]] std::vector<std::string> const& solutionOrder();
 
 /// Adds a solution that was recorded by playing (Session::record()). A number is added to its name if that is
 /// taken. Command::selects is empty: solutions are no objects.
