@@ -1,5 +1,3 @@
-#include "puzzle/edit/commands/solution_entries.hpp"
-
 #include "puzzle/edit/commands/solutions.hpp"
 #include "puzzle/edit/tree/tree_access.hpp"
 #include "runtime/level/build/placing.hpp"

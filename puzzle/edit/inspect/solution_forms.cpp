@@ -46,6 +46,9 @@ std::string fieldNameOf(std::string key) {
         key.resize(key.size() - 4);
     }
     std::replace(key.begin(), key.end(), '_', ' ');
+    if (!key.empty() && key.front() >= 'a' && key.front() <= 'z') {
+        key.front() = static_cast<char>(key.front() - 'a' + 'A');
+    }
     return key;
 }
 

@@ -7,7 +7,6 @@
 #include "puzzle/edit/commands/objects.hpp"
 #include "puzzle/edit/commands/own_parts.hpp"
 #include "puzzle/edit/commands/properties.hpp"
-#include "puzzle/edit/commands/solution_entries.hpp"
 #include "puzzle/edit/commands/solutions.hpp"
 
 namespace trembler::edit {

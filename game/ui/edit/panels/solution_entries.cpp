@@ -3,11 +3,11 @@
 #include "game/ui/edit/edit_words.hpp"
 #include "game/ui/edit/fields/field_widgets.hpp"
 #include "game/ui/edit/fields/page_elements.hpp"
-#include "game/ui/shared/texts.hpp"
-#include "puzzle/edit/commands/solution_entries.hpp"
+#include "game/ui/shared/words.hpp"
+#include "puzzle/edit/commands/solutions.hpp"
 #include "puzzle/edit/tree/part_statements.hpp"
 #include "puzzle/goals/level_schema.hpp"
-#include "render/panels/cards.hpp"
+#include "render/draw/palette.hpp"
 #include "render/panels/theme.hpp"
 
 #include <algorithm>
@@ -54,7 +54,7 @@ void drawEntry(EditParts& parts, std::string const& solution, edit::EntryList co
     edit::EntryForm const* const form = list.formOf(entry);
     ImGui::PushID(item.c_str());
     ImGui::Text("%zu. %s", index + 1,
-                form == nullptr || form->key.empty() ? "" : shownField(form->key).c_str());
+                form == nullptr || form->key.empty() ? "" : shownField(words::capital(form->key)).c_str());
     auto const change = [&](edit::InspectedField const& field, Json const& value) {
         Json const changed = edit::entryWith(entry, field, value);
         bool const continuous = field.type == FieldType::number || field.type == FieldType::integer ||
@@ -115,7 +115,8 @@ void drawAdd(EditParts& parts, std::string const& solution, edit::EntryList cons
         }
         std::string kind;
         fieldName(words::addEntry, "");
-        if (choiceField(parts, item, kind, kinds, shownField)) {
+        if (choiceField(parts, item, kind, kinds,
+                        [](std::string const& key) { return shownField(words::capital(key)); })) {
             chosen = &*std::find_if(list.forms.begin(), list.forms.end(),
                                     [&](edit::EntryForm const& form) { return form.key == kind; });
         }
@@ -143,7 +144,7 @@ void drawSolutionEntries(EditParts& parts, std::string const& solution, Json con
     for (edit::EntryList const& list : parts.entries.lists) {
         ImGui::PushID(list.key.c_str());
         ImGui::PushStyleColor(ImGuiCol_Text, imColour4(palette::accent));
-        ImGui::TextUnformatted(shownField(list.key).c_str());
+        ImGui::TextUnformatted(shownField(words::capital(list.key)).c_str());
         ImGui::PopStyleColor();
         Json const entries =
             shown.contains(list.key) && shown[list.key].is_array() ? shown[list.key] : Json::array();

@@ -1,5 +1,5 @@
 // Single entries of recorded solutions: added, changed, removed, ordered; the names of placed objects follow.
-#include "puzzle/edit/commands/solution_entries.hpp"
+#include "puzzle/edit/commands/solutions.hpp"
 #include "puzzle/edit/problems/live_problems.hpp"
 #include "tests/puzzle/edit/edit_kit.hpp"
 

@@ -110,7 +110,7 @@ void makeLevel(Designer& designer, Hands const& hands) {
         hands.down();
     }
     hands.press();
-    hands.down();
+    hands.up(); // "anvil", which can move
     hands.press();
     hands.back();
     ASSERT_EQ(designer.count("objects"), before + 2) << "two parts of the catalogue";
@@ -145,11 +145,7 @@ void makeAndReopen(Designer& designer, Hands const& hands, std::string const& na
     makeLevel(designer, hands);
     hands.play();
     designer.frames(2);
-    ASSERT_NE(designer.screen().test(), nullptr)
-        << designer.tree() << (designer.parts().problems.all().empty()
-                                   ? ""
-                                   : designer.parts().problems.all().front().diagnostic.message)
-        << designer.parts().panelKeys << designer.parts().dialogOpen();
+    ASSERT_NE(designer.screen().test(), nullptr) << designer.tree();
     hands.back();
     designer.frames(2);
     ASSERT_EQ(designer.screen().test(), nullptr);

@@ -89,8 +89,8 @@ TEST_F(OwnPart, HasAPictureOfItsObjectsAlsoInTheNextSession) {
         designer.frames(12);
         ASSERT_NE(designer.parts().data->parts.find("two colours"), nullptr);
         first = tileOf(designer, "two colours", "own-part-tile");
-        EXPECT_GT(shareOf(first, 0), 0.08) << "the red box";
-        EXPECT_GT(shareOf(first, 2), 0.08) << "the blue disc";
+        EXPECT_GT(shareOf(first, 0), 0.05) << "the red box";
+        EXPECT_GT(shareOf(first, 2), 0.04) << "the blue disc";
         std::vector<render::Pixel> const other = tileOf(designer, "steel ball", "another-tile");
         EXPECT_LT(shareOf(other, 0) + shareOf(other, 2), 0.01) << "a tile without these colours";
     }

@@ -256,7 +256,7 @@ char const* const oneOfEach =
     "connections": [{"between": ["left", "right"], "kind": "wire"}],
     "placing": [[-1, 0, 2, 2]],
     "toolbox": [{"part": "steel bar", "count": 2}, {"wire": 2}],
-    "goals": {"touching": ["ball", "floor"]}, "task": {"on": "left"},
+    "goals": {"touching": ["ball", "floor"]}, "task": {"moved": {"object": "ball", "by": 1}},
     "hints": ["Think."],
     "teaching": [{"place": "steel bar", "at": [0, 1]}, {"wire": ["left", "right"]}, {"run": true},
                  {"grab": "ball", "to": [1, 1]}, {"cut": ["left", "right"]}],
