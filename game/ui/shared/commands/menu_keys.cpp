@@ -1,6 +1,6 @@
 #include "game/ui/shared/commands/menu_keys.hpp"
 
-#include "game/ui/shared/words.hpp"
+#include "game/ui/shared/commands/common_commands.hpp"
 #include "render/window/gamepad.hpp"
 
 #include <algorithm>
@@ -42,14 +42,7 @@ constexpr std::array menuTable{
                 "In menus and lists: go to the right, or make the value larger", true),
     menuCommand("menu-press", {{{SDLK_RETURN}, {SDLK_SPACE}, {SDLK_KP_ENTER}}}, pad(SDL_CONTROLLER_BUTTON_A),
                 "Press", "In menus and lists: press or choose the item", true),
-    CommandInfo{.id = "back",
-                .keys = {{{SDLK_ESCAPE}}},
-                .pad = {padKey(SDL_CONTROLLER_BUTTON_B)},
-                .essential = true,
-                .leads = true,
-                .group = CommandGroup::program,
-                .name = words::back,
-                .tip = "Back"},
+    common::back,
     menuCommand("menu-next", {{{SDLK_TAB}}}, {}, "Next item", "In menus: go to the next item in their order"),
     menuCommand("menu-before", {{{.key = SDLK_TAB, .shift = true}}}, {}, "Item before",
                 "In menus: go to the item before, in their order"),

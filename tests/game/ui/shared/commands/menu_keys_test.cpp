@@ -74,7 +74,9 @@ TEST(MenuKeys, WidgetsReadThemAsTheirOwn) {
     WidgetKeys widgets;
     auto const shown = [&](SDL_Event const& event, bool typing = false) {
         SDL_Event const read = widgets.read(event, bindings, typing);
-        EXPECT_EQ(read.key.keysym.scancode, SDL_GetScancodeFromKey(read.key.keysym.sym));
+        if (read.key.keysym.sym != event.key.keysym.sym) {
+            EXPECT_EQ(read.key.keysym.scancode, SDL_GetScancodeFromKey(read.key.keysym.sym));
+        }
         return read.key.keysym.sym;
     };
     EXPECT_EQ(shown(keyDown(SDLK_k)), SDLK_DOWN);
