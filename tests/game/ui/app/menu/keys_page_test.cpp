@@ -157,8 +157,8 @@ TEST_F(AssigningKeys, BackMayBeAnotherKeyButNotNone) {
     EXPECT_EQ(keysOf("back"), "Escape");
     player->key(SDLK_RETURN);
     ASSERT_TRUE(keysPage().waiting());
-    player->key(SDLK_DOWN); // the key that goes down in menus
-    EXPECT_NE(keysPage().complaint().find("\"Item below\""), std::string::npos) << keysPage().complaint();
+    player->key(SDLK_DOWN); // it moves things down in levels, and goes down in menus
+    EXPECT_NE(keysPage().complaint().find("\"Move down\""), std::string::npos) << keysPage().complaint();
     player->key(SDLK_BACKSLASH);
     EXPECT_EQ(keysOf("back"), "\\");
     player->key(SDLK_ESCAPE);
@@ -188,8 +188,11 @@ TEST_F(AssigningKeys, BackMayBeAnotherKeyButNotNone) {
 // Every key of menus and every button may be another one. The new ones work, the old ones do not, and the
 // mouse alone leads back to the defaults.
 TEST_F(AssigningKeys, MenusObeyTheirNewKeysAndTheMouseRestoresTheOldOnes) {
-    VirtualPad const pad;
-    ASSERT_TRUE(pad.works());
+    auto pad = std::make_unique<VirtualPad>();
+    if (!pad->works()) {
+        GTEST_SKIP() << "SDL has no virtual gamepads here: " << SDL_GetError();
+    }
+    player->frames(2);
     openByMouse();
     struct Choice {
         char const* id;
@@ -204,7 +207,7 @@ TEST_F(AssigningKeys, MenusObeyTheirNewKeysAndTheMouseRestoresTheOldOnes) {
             player->key(choice.key);
             EXPECT_FALSE(keysPage().waiting()) << choice.id << ": " << keysPage().complaint();
             player->clickItem(row);
-            pad.press(*player, choice.button);
+            pad->press(*player, choice.button);
             EXPECT_FALSE(keysPage().waiting()) << choice.id << ": " << keysPage().complaint();
         }
     };
@@ -214,6 +217,9 @@ TEST_F(AssigningKeys, MenusObeyTheirNewKeysAndTheMouseRestoresTheOldOnes) {
             {"menu-press", SDLK_p, SDL_CONTROLLER_BUTTON_BACK}});
     player->look("keys-of-menus-720");
     start(); // they are kept
+    pad.reset();
+    pad = std::make_unique<VirtualPad>(); // plugged into the new program
+    player->frames(2);
     EXPECT_EQ(keysOf("menu-down"), "K");
     auto const settingsBy = [&](auto const& down, auto const& press, auto const& back) {
         back();
@@ -230,9 +236,9 @@ TEST_F(AssigningKeys, MenusObeyTheirNewKeysAndTheMouseRestoresTheOldOnes) {
     };
     EXPECT_TRUE(settingsBy([&] { player->key(SDLK_k); }, [&] { player->key(SDLK_p); },
                            [&] { player->key(SDLK_BACKSLASH); }));
-    EXPECT_TRUE(settingsBy([&] { pad.press(*player, SDL_CONTROLLER_BUTTON_LEFTSTICK); },
-                           [&] { pad.press(*player, SDL_CONTROLLER_BUTTON_BACK); },
-                           [&] { pad.press(*player, SDL_CONTROLLER_BUTTON_GUIDE); }));
+    EXPECT_TRUE(settingsBy([&] { pad->press(*player, SDL_CONTROLLER_BUTTON_LEFTSTICK); },
+                           [&] { pad->press(*player, SDL_CONTROLLER_BUTTON_BACK); },
+                           [&] { pad->press(*player, SDL_CONTROLLER_BUTTON_GUIDE); }));
     player->key(SDLK_BACKSLASH);
     ASSERT_EQ(page(), MenuPage::main);
     for (SDL_Keycode const old : {SDLK_DOWN, SDLK_RETURN, SDLK_SPACE, SDLK_ESCAPE}) {
@@ -240,7 +246,7 @@ TEST_F(AssigningKeys, MenusObeyTheirNewKeysAndTheMouseRestoresTheOldOnes) {
     }
     for (auto const old :
          {SDL_CONTROLLER_BUTTON_DPAD_DOWN, SDL_CONTROLLER_BUTTON_A, SDL_CONTROLLER_BUTTON_B}) {
-        pad.press(*player, old);
+        pad->press(*player, old);
     }
     EXPECT_EQ(page(), MenuPage::main) << "the old keys mean nothing";
     player->clickItem("menu.settings");
