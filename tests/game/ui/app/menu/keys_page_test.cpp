@@ -199,6 +199,21 @@ TEST_F(AssigningKeys, MenusObeyTheirNewKeysAndTheMouseRestoresTheOldOnes) {
         SDL_Keycode key;
         SDL_GameControllerButton button;
     };
+    // SDL reports that the button Guide is let go only after it was held for a while, so it gets its events
+    // here.
+    auto const button = [&](SDL_GameControllerButton which) {
+        if (which != SDL_CONTROLLER_BUTTON_GUIDE) {
+            return pad->press(*player, which);
+        }
+        for (auto const type : {SDL_CONTROLLERBUTTONDOWN, SDL_CONTROLLERBUTTONUP}) {
+            SDL_Event event{};
+            event.type = type;
+            event.cbutton.button = static_cast<Uint8>(which);
+            event.cbutton.state = type == SDL_CONTROLLERBUTTONDOWN ? SDL_PRESSED : SDL_RELEASED;
+            render::synthetic::push(event);
+            player->frames(2);
+        }
+    };
     auto const choose = [&](std::initializer_list<Choice> choices) {
         for (Choice const& choice : choices) {
             std::string const row = "key of " + std::string(choice.id);
@@ -207,7 +222,7 @@ TEST_F(AssigningKeys, MenusObeyTheirNewKeysAndTheMouseRestoresTheOldOnes) {
             player->key(choice.key);
             EXPECT_FALSE(keysPage().waiting()) << choice.id << ": " << keysPage().complaint();
             player->clickItem(row);
-            pad->press(*player, choice.button);
+            button(choice.button);
             EXPECT_FALSE(keysPage().waiting()) << choice.id << ": " << keysPage().complaint();
         }
     };
@@ -231,16 +246,17 @@ TEST_F(AssigningKeys, MenusObeyTheirNewKeysAndTheMouseRestoresTheOldOnes) {
         }
         press();
         bool const there = page() == MenuPage::settings;
-        while (player->app().menu().isOpen() && there) {
+        for (int i = 0; i < 2 && there; ++i) { // to the menu, and out of it
             back();
         }
+        EXPECT_FALSE(there && player->app().menu().isOpen());
         return there;
     };
     EXPECT_TRUE(settingsBy([&] { player->key(SDLK_k); }, [&] { player->key(SDLK_p); },
                            [&] { player->key(SDLK_BACKSLASH); }));
-    EXPECT_TRUE(settingsBy([&] { pad->press(*player, SDL_CONTROLLER_BUTTON_LEFTSTICK); },
-                           [&] { pad->press(*player, SDL_CONTROLLER_BUTTON_BACK); },
-                           [&] { pad->press(*player, SDL_CONTROLLER_BUTTON_GUIDE); }));
+    EXPECT_TRUE(settingsBy([&] { button(SDL_CONTROLLER_BUTTON_LEFTSTICK); },
+                           [&] { button(SDL_CONTROLLER_BUTTON_BACK); },
+                           [&] { button(SDL_CONTROLLER_BUTTON_GUIDE); }));
     player->key(SDLK_BACKSLASH);
     ASSERT_EQ(page(), MenuPage::main);
     for (SDL_Keycode const old : {SDLK_DOWN, SDLK_RETURN, SDLK_SPACE, SDLK_ESCAPE}) {
@@ -248,7 +264,7 @@ TEST_F(AssigningKeys, MenusObeyTheirNewKeysAndTheMouseRestoresTheOldOnes) {
     }
     for (auto const old :
          {SDL_CONTROLLER_BUTTON_DPAD_DOWN, SDL_CONTROLLER_BUTTON_A, SDL_CONTROLLER_BUTTON_B}) {
-        pad->press(*player, old);
+        button(old);
     }
     EXPECT_EQ(page(), MenuPage::main) << "the old keys mean nothing";
     player->clickItem("menu.settings");
