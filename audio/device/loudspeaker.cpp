@@ -72,6 +72,7 @@ void Loudspeaker::pause(Listener const& listener) {
 }
 
 void Loudspeaker::touch(InterfaceSound sound) {
+    ++touched_;
     if (options_.output.touches <= 0) {
         return;
     }

@@ -47,6 +47,8 @@ public:
 
     /// Plays a sound of the interface at once, whether it listens to a world or not.
     void touch(InterfaceSound sound);
+    /// How often that was asked for, heard or not.
+    [[nodiscard]] std::uint64_t touched() const { return touched_; }
 
     void set(OutputSettings const& settings);
     [[nodiscard]] OutputSettings const& settings() const { return options_.output; }
@@ -62,7 +64,8 @@ private:
     SampleFiles recordings_;
     Synthesiser synthesiser_;
     std::map<InterfaceSound, std::vector<float>> touches_; // the sounds that were heard already
-    Subscription sounds_;                                  // of the world that it listens to
+    std::uint64_t touched_ = 0;
+    Subscription sounds_;          // of the world that it listens to
     World const* world_ = nullptr; // the same: only compared, never dereferenced, as it may no longer exist
     std::optional<Vec2> roomAt_;   // where the room was last computed
     std::uint64_t roomFrame_ = 0;

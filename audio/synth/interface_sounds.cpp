@@ -20,6 +20,7 @@ struct TouchStrike {
 constexpr TouchStrike pickUpStrikes[] = {{620, 70, 0.05, 0}, {1240, 110, 0.03, 0}};
 constexpr TouchStrike placeStrikes[] = {{190, 45, 0.12, 0}, {520, 80, 0.05, 0}};
 constexpr TouchStrike refuseStrikes[] = {{160, 40, 0.12, 0}, {140, 40, 0.12, 0.09}};
+constexpr TouchStrike clickStrikes[] = {{900, 160, 0.04, 0}, {1500, 220, 0.02, 0}};
 constexpr TouchStrike runStrikes[] = {{440, 30, 0.04, 0}, {660, 30, 0.04, 0.07}};
 constexpr TouchStrike solvedStrikes[] = {
     {523.25, 7, 0.04, 0}, {659.26, 7, 0.04, 0.09}, {783.99, 7, 0.04, 0.18}, {1046.5, 6, 0.04, 0.27}};
@@ -34,6 +35,8 @@ std::span<TouchStrike const> touchStrikesOf(InterfaceSound sound) {
         return refuseStrikes;
     case InterfaceSound::run:
         return runStrikes;
+    case InterfaceSound::click:
+        return clickStrikes;
     case InterfaceSound::solved:
         break;
     }

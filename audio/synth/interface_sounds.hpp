@@ -12,6 +12,7 @@ enum class InterfaceSound : std::uint8_t {
     refuse, ///< something was not done
     run,    ///< a run begins or ends
     solved, ///< the goals are reached
+    click,  ///< a button is pressed that has no other sound
 };
 
 /// The whole sound at `rate` samples in a second, in Pa at the listener: soft, at most 1.2 s long, and equal

@@ -3,6 +3,8 @@
 #include "puzzle/goals/goal_judge.hpp"
 #include "puzzle/goals/read_goals.hpp"
 #include "runtime/level/build/build_world.hpp"
+#include "runtime/level/build/placing.hpp"
+#include "runtime/level/json/add_problem.hpp"
 #include "runtime/level/read/read_level.hpp"
 
 #include <exception>
@@ -16,6 +18,22 @@ void complainAboutLacking(LevelFile const& level, std::vector<Diagnostic>& lacki
     }
     if (level.solutions.empty()) {
         lacking.push_back(level.diagnostic("/solutions", "no solution is recorded", ""));
+    }
+}
+
+/// Complains about placements of recorded solutions that the level does not allow, in the words with which
+/// the solution would be refused.
+void complainAboutPlacements(GameData const& data, LevelFile const& level, Problems& problems) {
+    for (Solution const& solution : level.solutions) {
+        PlacementCount count(level, data.parts);
+        for (std::size_t const index : canonicalOrder(solution.placements)) {
+            Placement const& placement = solution.placements[index];
+            if (auto const refusal = count.add(placement)) {
+                addProblem(problems, [&] {
+                    return level.diagnostic(placement.path, *refusal, "a placement that the level allows");
+                });
+            }
+        }
     }
 }
 
@@ -36,6 +54,7 @@ LevelCheckup checkWholeLevel(GameData const& data, std::shared_ptr<JsonDocument 
         GoalJudge const task(level, *built.world, readTask(level));
         checkup.playable = true;
         Problems problems;
+        complainAboutPlacements(data, level, problems);
         complainAboutReach(data, level, *built.world, problems);
         complainAboutHopeless(data, level, *built.world, problems);
         checkup.crowded = complainAboutCrowds(level, *built.world, problems);

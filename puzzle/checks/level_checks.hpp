@@ -24,9 +24,9 @@ struct LevelCheckup {
 };
 
 /// Reads the level, builds its world, sets up its goals, and if all that is possible, looks for faults that
-/// make it useless: objects out of bounds, a toolbox out of reach, goals or a task that can never come true,
-/// and so many bodies in one place that it hardly moves. Throws nothing but for lack of memory. `detail`
-/// overrides the detail levels that the level states.
+/// make it useless: placements of recorded solutions that it does not allow, objects out of bounds, a toolbox
+/// out of reach, goals or a task that can never come true, and so many bodies in one place that it hardly
+/// moves. Throws nothing but for lack of memory. `detail` overrides the detail levels that the level states.
 [[nodiscard]] LevelCheckup checkWholeLevel(GameData const& data,
                                            std::shared_ptr<JsonDocument const> const& document,
                                            std::map<std::string, std::string> const& detail = {});

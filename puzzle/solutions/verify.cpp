@@ -119,7 +119,10 @@ std::vector<std::string> verifyLevel(GameData const& gameData, std::filesystem::
         }
     } catch (InputError const& error) {
         for (Diagnostic const& diagnostic : error.diagnostics()) {
-            failures.push_back(diagnostic.print());
+            std::string const printed = diagnostic.print(); // a refused placement was found before the run
+            if (std::find(failures.begin(), failures.end(), printed) == failures.end()) {
+                failures.push_back(printed);
+            }
         }
     } catch (std::exception const& error) {
         failures.push_back(fmt::format("{}: {}", name, error.what()));

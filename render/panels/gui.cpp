@@ -139,14 +139,17 @@ SDL_Event asKeyOfWidgets(SDL_Event event) {
 
 } // namespace
 
-void Gui::beginFrame(InputEvents const& input, double seconds) {
+void Gui::beginFrame(InputEvents const& input, double seconds,
+                     std::function<SDL_Event(SDL_Event const&)> const& asWidgets) {
     followScale();
     for (SDL_Event const& event : input.events()) {
-        SDL_Event const shown = asKeyOfWidgets(event);
+        SDL_Event const shown = asWidgets ? asWidgets(event) : asKeyOfWidgets(event);
         ImGui_ImplSDL2_ProcessEvent(&shown);
     }
     for (SDL_Event const& event : input.typed()) {
-        SDL_Event const shown = asKeyOfWidgets(event);
+        // The keys of the keyboard on the screen are those of widgets already.
+        bool const pad = isPadKey(event.key.keysym.sym);
+        SDL_Event const shown = asWidgets && pad ? asWidgets(event) : asKeyOfWidgets(event);
         ImGui_ImplSDL2_ProcessEvent(&shown);
     }
     ImGui_ImplOpenGL3_NewFrame();

@@ -28,7 +28,9 @@ public:
 
     /// Starts a frame with the events that `input` took last; ImGui's functions can be called from here to
     /// endFrame. `seconds` since the last frame: clamped to at least a millisecond and at most a second.
-    void beginFrame(InputEvents const& input, double seconds);
+    /// `asWidgets` makes the keys of ImGui's widgets of the player's; without it these are the usual ones.
+    void beginFrame(InputEvents const& input, double seconds,
+                    std::function<SDL_Event(SDL_Event const&)> const& asWidgets = {});
     /// Draws the panels over the window's contents. `beneath` is called after the drawing beneath all panels,
     /// such as words in the world, and before the panels; it may be empty.
     void endFrame(std::function<void()> const& beneath = {});

@@ -228,15 +228,20 @@ bool GameApp::frame(double seconds, bool seen) {
     bool const last = context_.profile.settings().padIsSecond;
     context_.pads.setUse(!two ? PadUse::together : last ? PadUse::lastApart : PadUse::secondApart);
     context_.input.poll();
-    context_.letters.takeInput(context_.input, seconds);
+    context_.letters.takeInput(context_.input, context_.keys, seconds);
     context_.pictures.beginFrame();
     takeKinds();
-    context_.gui.beginFrame(context_.input, seconds);
+    bool const typing = context_.letters.fieldHasKeys();
+    context_.gui.beginFrame(context_.input, seconds, [&](SDL_Event const& event) {
+        return context_.widgetKeys.read(event, context_.keys, typing);
+    });
+    context_.menuKeys.read(context_.input.events(), context_.keys, context_.gui.wantsKeyboard());
     context_.letters.beginPicture();
     context_.layout.beginFrame();
     context_.focus.beginFrame();
     update(seconds);
-    context_.letters.draw(context_.layout);
+    context_.letters.draw(context_.layout, context_.keys);
+    clicks_.look(context_);
     bool const drawn = seen || screen_->keepsPicture();
     if (drawn) {
         context_.window.beginFrame(render::palette::paper);

@@ -1,6 +1,7 @@
 // The game in its window: shows one screen at a time, and the menu over it.
 #pragma once
 
+#include "game/ui/app/click_sounds.hpp"
 #include "game/ui/app/menu/menu.hpp"
 #include "game/ui/shared/screen.hpp"
 #include "game/ui/shared/ui_context.hpp"
@@ -85,6 +86,7 @@ private:
     Menu menu_;
     std::shared_ptr<GameData const> plain_; // for the editor; nullptr until it is opened
     std::unique_ptr<Screen> screen_;        // never nullptr
+    ClickSounds clicks_;
     bool going_ = true;
     double sinceNews_ = 0; // s
 };

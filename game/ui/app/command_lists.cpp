@@ -5,6 +5,7 @@
 #include "game/ui/edit/edit_parts.hpp"
 #include "game/ui/play/commands/play_commands.hpp"
 #include "game/ui/play/play_parts.hpp"
+#include "game/ui/shared/commands/menu_keys.hpp"
 
 namespace trembler::ui {
 
@@ -13,7 +14,11 @@ std::vector<CommandList> commandLists() {
     CommandList tests = listOf(playCommands());
     CommandList const more = listOf(testCommands());
     tests.commands.insert(tests.commands.end(), more.commands.begin(), more.commands.end());
-    return {listOf(playCommands()), listOf(titleCommands()), listOf(editCommands()), tests};
+    // The title is a page of buttons, and every such page knows the command for the full screen, too.
+    CommandList title = listOf(titleCommands());
+    CommandList const pages = menuCommands();
+    title.commands.insert(title.commands.end(), pages.commands.begin(), pages.commands.end());
+    return {listOf(playCommands()), listOf(editCommands()), tests, title, letterCommands()};
 }
 
 std::span<Gesture const> allGestures() {

@@ -1,5 +1,6 @@
 #include "game/ui/edit/edit_parts.hpp"
 
+#include "audio/device/loudspeaker.hpp"
 #include "game/ui/edit/edit_words.hpp"
 #include "game/ui/edit/study/level_studies.hpp"
 #include "game/ui/shared/shown_faults.hpp"
@@ -42,7 +43,12 @@ bool EditParts::run(std::function<edit::Command(edit::Json const&)> const& make,
                     std::optional<edit::Gesture> gesture) {
     try {
         edit::Command const command = make(document.tree());
+        auto const objects = [&] { return tree().contains("objects") ? tree()["objects"].size() : 0; };
+        std::size_t const before = objects();
         document.run(command, gesture);
+        if (objects() > before && context.loudspeaker != nullptr) {
+            context.loudspeaker->touch(InterfaceSound::place);
+        }
         if (!command.selects.empty()) {
             selection.set(command.selects);
         }

@@ -15,6 +15,7 @@
 #include "puzzle/edit/commands/goals.hpp"
 #include "puzzle/edit/document/level_document.hpp"
 #include "puzzle/edit/inspect/inspector.hpp"
+#include "puzzle/edit/inspect/solution_forms.hpp"
 #include "puzzle/edit/problems/live_problems.hpp"
 #include "puzzle/edit/recovery/autosave.hpp"
 #include "puzzle/edit/world/edited_world.hpp"
@@ -61,6 +62,14 @@ struct InspectedSelection {
     bool known = false;
 };
 
+/// The entries of recorded solutions that the page of solutions shows.
+struct ShownEntries {
+    std::string solution;                     ///< whose entries are shown; empty: none
+    std::map<std::string, std::size_t> first; ///< the first shown entry of a list, by its key
+    std::vector<edit::EntryList> lists;       ///< that solutions may have
+    GameData const* listsOf = nullptr;        ///< from whose schema `lists` was made
+};
+
 /// Each part keeps its own state; the members here concern several. Window thread only; the context must
 /// outlive it.
 struct EditParts {
@@ -103,6 +112,7 @@ struct EditParts {
     edit::GoalTree goalTree = edit::GoalTree::goals;   ///< which the page of goals and the scene show
     edit::GoalTree playedTree = edit::GoalTree::goals; ///< of the test play
     std::string translation; ///< the language of the page's translations; may be empty
+    ShownEntries entries;    ///< of the page of solutions
 
     edit::Gesture widget; ///< of the widget that is being used: all its values are one step of undo
     std::map<std::string, std::string>

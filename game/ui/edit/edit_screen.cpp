@@ -35,22 +35,9 @@ void drawEditVeil() {
                                                   imColour(faded(palette::paper, 0.6F)));
 }
 
-/// Keys that act on the screen while the panel has the keyboard: function keys, and those with Ctrl; of a
-/// gamepad the buttons that the widgets do not use.
-bool reachesScreen(SDL_Event const& event) {
-    if (event.type != SDL_KEYDOWN) {
-        return false;
-    }
-    SDL_Keycode const key = event.key.keysym.sym;
-    if (isPadKey(key)) {
-        static constexpr std::array leads{padKey(SDL_CONTROLLER_BUTTON_B), padKey(SDL_CONTROLLER_BUTTON_BACK),
-                                          padKey(SDL_CONTROLLER_BUTTON_START),
-                                          padKey(SDL_CONTROLLER_BUTTON_LEFTSTICK)};
-        return std::find(leads.begin(), leads.end(), key) != leads.end();
-    }
-    return (key >= SDLK_F1 && key <= SDLK_F12) || key == SDLK_ESCAPE ||
-           (event.key.keysym.mod & KMOD_CTRL) != 0;
-}
+/// The buttons of a gamepad, by default, whose commands act while the panel has the keyboard.
+constexpr std::array leadingButtons{padKey(SDL_CONTROLLER_BUTTON_BACK), padKey(SDL_CONTROLLER_BUTTON_START),
+                                    padKey(SDL_CONTROLLER_BUTTON_LEFTSTICK)};
 
 } // namespace
 
@@ -160,19 +147,17 @@ void EditScreen::drawDialogs() {
     }
 }
 
-/// While the panel has the keyboard the shoulders of a gamepad turn its pages.
+/// While the panel has the keyboard, the shoulders of a gamepad turn its pages.
 void EditScreen::turnPages() {
     constexpr int pages = static_cast<int>(Tab::problems) + 1;
-    InputEvents const& input = parts_.context.input;
-    int const by = (input.keyPressed(padKey(SDL_CONTROLLER_BUTTON_RIGHTSHOULDER)) ? 1 : 0) -
-                   (input.keyPressed(padKey(SDL_CONTROLLER_BUTTON_LEFTSHOULDER)) ? 1 : 0);
+    MenuKeys const& keys = parts_.context.menuKeys;
+    int const by = (keys.pressed(MenuKey::pageNext) ? 1 : 0) - (keys.pressed(MenuKey::pageBefore) ? 1 : 0);
     parts_.tab = static_cast<Tab>((static_cast<int>(parts_.tab) + by + pages) % pages);
 }
 
 void EditScreen::handleKeys() {
     UiContext& context = parts_.context;
-    bool const escape =
-        context.input.keyPressed(SDLK_ESCAPE) || context.input.keyPressed(padKey(SDL_CONTROLLER_BUTTON_B));
+    bool const escape = context.menuKeys.pressed(MenuKey::back);
     bool const popup = ImGui::GetCurrentContext()->OpenPopupStack.Size > 0;
     if (escape && popup) { // a menu or a drop-down
         ImGui::ClosePopupToLevel(0, true);
@@ -191,7 +176,9 @@ void EditScreen::handleKeys() {
         turnPages();
         std::vector<SDL_Event> events;
         std::copy_if(context.input.events().begin(), context.input.events().end(), std::back_inserter(events),
-                     reachesScreen);
+                     [&](SDL_Event const& event) {
+                         return passesWidgets(event, context.keys, commands_, leadingButtons);
+                     });
         carryOutKeys(events, context.keys, commands_);
         return;
     }

@@ -220,6 +220,12 @@ inline char const* const& watchTip = editWord("Play this run");
 inline char const* const& again = editWord("Re-record");
 inline char const* const& againTip =
     editWord("Play with these parts; what you then record replaces this run");
+inline char const* const& showEntries = editWord("Edit the entries");
+inline char const* const& hideEntries = editWord("Hide the entries");
+inline char const* const& entriesTip =
+    editWord("The single placements, wires, inputs and changes of this run, as the file states them");
+inline char const* const& entriesFrom = editWord("From entry");
+inline char const* const& entriesFromTip = editWord("The number of the first entry that is shown");
 inline char const* const& recordNew = editWord("Play to record a new one");
 inline char const* const& recordNewTip =
     editWord("Play the level; the button at the lower right records what you did");

@@ -36,23 +36,10 @@ Vec2 padDirection(UiContext const& context) {
     return {held("move-right") - held("move-left"), held("move-up") - held("move-down")};
 }
 
-/// Keys that act on the screen while a card has the keyboard: function keys, and those with Ctrl; of a
-/// gamepad the buttons that its widgets do not use.
-bool passesCard(SDL_Event const& event) {
-    if (event.type != SDL_KEYDOWN) {
-        return false;
-    }
-    SDL_Keycode const key = event.key.keysym.sym;
-    if (render::isPadKey(key)) {
-        static constexpr std::array leads{render::padKey(SDL_CONTROLLER_BUTTON_B),
-                                          render::padKey(SDL_CONTROLLER_BUTTON_START),
-                                          render::padKey(SDL_CONTROLLER_BUTTON_LEFTSHOULDER),
-                                          render::padKey(SDL_CONTROLLER_BUTTON_RIGHTSHOULDER)};
-        return std::find(leads.begin(), leads.end(), key) != leads.end();
-    }
-    return (key >= SDLK_F1 && key <= SDLK_F12) || key == SDLK_ESCAPE ||
-           (event.key.keysym.mod & KMOD_CTRL) != 0;
-}
+/// The buttons of a gamepad, by default, whose commands act while a card has the keyboard.
+constexpr std::array leadingButtons{render::padKey(SDL_CONTROLLER_BUTTON_START),
+                                    render::padKey(SDL_CONTROLLER_BUTTON_LEFTSHOULDER),
+                                    render::padKey(SDL_CONTROLLER_BUTTON_RIGHTSHOULDER)};
 
 } // namespace
 
@@ -160,7 +147,9 @@ void PlayScreen::handleKeysBesideCard() {
     UiContext& context = parts_.context;
     std::vector<SDL_Event> events;
     std::copy_if(context.input.events().begin(), context.input.events().end(), std::back_inserter(events),
-                 passesCard);
+                 [&](SDL_Event const& event) {
+                     return passesWidgets(event, context.keys, commands_, leadingButtons);
+                 });
     bool const dropDown = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
     if (std::exchange(dropDownWasOpen_, dropDown) || dropDown || context.gui.wantsKeyboard()) {
         return; // Esc closes it, or ends the typing of a number
@@ -214,6 +203,7 @@ void PlayScreen::updateBehindMenu(double seconds) {
     parts_.keepBuild(seconds);
     fittedView_.follow(parts_, false);
     parts_.run.beginPicture(false);
+    parts_.touches.forget();
     parts_.placing.cancel();
     parts_.whatIfTool->giveCardKeys(false);
     passKeysToCard(false);

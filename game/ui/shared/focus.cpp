@@ -2,15 +2,12 @@
 
 #include "render/draw/palette.hpp"
 #include "render/panels/theme.hpp"
-#include "render/window/gamepad.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 namespace trembler::ui {
-
-using render::padKey;
 
 void Focus::beginFrame() {
     if (!shown_) {
@@ -19,7 +16,7 @@ void Focus::beginFrame() {
     shown_ = false;
 }
 
-void Focus::begin(std::string_view page, std::span<SDL_Event const> events, bool mouseMoved) {
+void Focus::begin(std::string_view page, std::span<MenuKeys::Press const> presses, bool mouseMoved) {
     shown_ = true;
     lastAreas_ = std::exchange(areas_, {});
     count_ = 0;
@@ -31,42 +28,34 @@ void Focus::begin(std::string_view page, std::span<SDL_Event const> events, bool
         adjusts_ = false;
         return; // the key that opened this page must not act on it
     }
-    for (SDL_Event const& event : events) {
-        if (event.type == SDL_KEYDOWN) {
-            take(event.key);
-        }
+    for (MenuKeys::Press const& press : presses) {
+        take(press);
     }
     visible_ = visible_ && !mouseMoved;
 }
 
-void Focus::take(SDL_KeyboardEvent const& event) {
-    SDL_Keycode const key = event.keysym.sym;
-    switch (key) {
-    case SDLK_DOWN:
-    case padKey(SDL_CONTROLLER_BUTTON_DPAD_DOWN):
+void Focus::take(MenuKeys::Press const& press) {
+    switch (press.key) {
+    case MenuKey::down:
         return moveTowards(0, 1);
-    case SDLK_UP:
-    case padKey(SDL_CONTROLLER_BUTTON_DPAD_UP):
+    case MenuKey::up:
         return moveTowards(0, -1);
-    case SDLK_TAB:
-        return move((event.keysym.mod & KMOD_SHIFT) != 0 ? -1 : 1);
-    case SDLK_LEFT:
-    case SDLK_RIGHT:
-    case padKey(SDL_CONTROLLER_BUTTON_DPAD_LEFT):
-    case padKey(SDL_CONTROLLER_BUTTON_DPAD_RIGHT): {
-        bool const left = key == SDLK_LEFT || key == padKey(SDL_CONTROLLER_BUTTON_DPAD_LEFT);
+    case MenuKey::next:
+        return move(1);
+    case MenuKey::before:
+        return move(-1);
+    case MenuKey::left:
+    case MenuKey::right: {
+        int const way = press.key == MenuKey::left ? -1 : 1;
         if (visible_ && adjusts_) {
-            adjust_ = left ? -1 : 1;
+            adjust_ = way;
         } else {
-            moveTowards(left ? -1 : 1, 0);
+            moveTowards(way, 0);
         }
         return;
     }
-    case SDLK_RETURN:
-    case SDLK_KP_ENTER:
-    case SDLK_SPACE:
-    case padKey(SDL_CONTROLLER_BUTTON_A):
-        press_ = press_ || (visible_ && event.repeat == 0);
+    case MenuKey::press:
+        press_ = press_ || (visible_ && !press.repeat);
         return;
     default:
         return;

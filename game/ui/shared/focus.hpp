@@ -1,8 +1,9 @@
 // Navigation on a page of buttons without a mouse: arrow keys or the directional pad of a gamepad move a ring
-// from item to item, Enter or its lower button presses.
+// from item to item, Enter or its lower button presses, unless the player has chosen other keys.
 #pragma once
 
-#include <SDL_events.h>
+#include "game/ui/shared/commands/menu_keys.hpp"
+
 #include <imgui.h>
 
 #include <span>
@@ -21,13 +22,15 @@ public:
     /// starts again at its first item.
     void beginFrame();
     /// Call once per picture, before the first item of a page. The ring of a new page begins at its first
-    /// item. `events` may be empty while keys have another meaning.
-    void begin(std::string_view page, std::span<SDL_Event const> events, bool mouseMoved);
+    /// item. `presses` may be empty while keys have another meaning.
+    void begin(std::string_view page, std::span<MenuKeys::Press const> presses, bool mouseMoved);
     /// Call directly after an ImGui item that can be pressed. Returns true if Enter or Space presses it. With
     /// `adjusts` the left and right arrows change its value instead of moving the ring.
     bool item(bool adjusts = false);
     /// Whether the ring is around the last item.
     [[nodiscard]] bool here() const { return visible_ && count_ == index_ + 1; }
+    /// Whether a key of this picture presses the item at the ring.
+    [[nodiscard]] bool pressed() const { return shown_ && press_; }
     /// By how many steps the last item is to be changed: -1, 0 or 1.
     [[nodiscard]] int adjusted() const { return here() ? adjust_ : 0; }
 
@@ -46,7 +49,7 @@ private:
     void moveTowards(int x, int y);
     /// The nearest one, or -1. `within`: of the list of the present item only.
     [[nodiscard]] int nearest(int x, int y, bool within) const;
-    void take(SDL_KeyboardEvent const& event);
+    void take(MenuKeys::Press const& press);
 
     std::string page_;
     int index_ = 0;

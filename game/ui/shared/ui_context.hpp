@@ -6,6 +6,7 @@
 #include "game/ui/shared/catalog/level_pictures.hpp"
 #include "game/ui/shared/catalog/part_catalog.hpp"
 #include "game/ui/shared/commands/key_bindings.hpp"
+#include "game/ui/shared/commands/menu_keys.hpp"
 #include "game/ui/shared/focus.hpp"
 #include "game/ui/shared/kept/profile.hpp"
 #include "game/ui/shared/kept/recorder.hpp"
@@ -16,6 +17,8 @@
 #include "render/panels/gui.hpp"
 #include "render/panels/toasts.hpp"
 #include "render/window/input_events.hpp"
+
+#include <filesystem>
 
 namespace trembler {
 class Loudspeaker;
@@ -42,10 +45,13 @@ struct UiContext {
     KeptBuilds builds;
     KindFinder kinds;
     KeyBindings keys;
+    MenuKeys menuKeys{}; ///< of this picture, for pages, lists and dialogs
+    WidgetKeys widgetKeys{};
     Recorder recorder;
     SavedSolutions solutions;
     ScreenKeyboard letters{};
     Loudspeaker* loudspeaker = nullptr; ///< nullptr: no sound
+    std::filesystem::path edited{};     ///< folder of the level that was saved or opened last in the editor
     bool shadows = true;                ///< soft shadows, if the settings and the graphics driver allow them
 
     [[nodiscard]] bool shiftHeld() const { return (input.modifiers() & KMOD_SHIFT) != 0; }

@@ -60,8 +60,6 @@ inline char const* const& lastLevel = said("That was the last level.");
 
 // The keyboard on the screen.
 inline char const* const& blankKey = said("Space");
-inline char const* const& lettersLegend = said(
-    "A: press · X: delete · Y: space · L1, R1: cursor · L2: capitals · R2: signs · Start: done · B: cancel");
 
 // Menu and settings.
 inline constexpr Phrase restart = "Start the level again";
@@ -71,6 +69,7 @@ inline char const* const& groupRunning = said("Running");
 inline char const* const& groupLooking = said("Looking");
 inline char const* const& groupProgram = said("The program");
 inline char const* const& groupEditing = said("Editing levels");
+inline char const* const& groupMenus = said("Menus and lists");
 
 // Inspector.
 inline char const* const& rightNow = said("Right now");

@@ -2,6 +2,7 @@
 
 #include "puzzle/edit/commands/objects.hpp"
 #include "puzzle/edit/tree/object_values.hpp"
+#include "puzzle/edit/tree/part_statements.hpp"
 #include "puzzle/edit/tree/stated_value.hpp"
 #include "puzzle/edit/tree/tree_access.hpp"
 #include "runtime/level/model/detail_levels.hpp"
@@ -94,9 +95,15 @@ Command setField(GameData const& data, Json const& level, Names const& names, st
 Command addProperty(GameData const& data, Json const& level, Names const& names, std::string const& property,
                     std::string const& piece) {
     PropertyInfo const& info = propertyNamed(data, property);
-    return changeProperty(data, level, names, property, piece, "Add {} of {}", [&info](Json& stated) {
+    // An object that must be named: another one, if there is any.
+    std::vector<std::string> const all = namesOfObjectsAndPieces(data, level);
+    auto const other = std::find_if(all.begin(), all.end(), [&](std::string const& name) {
+        return std::find(names.begin(), names.end(), name) == names.end();
+    });
+    std::string const named = other == all.end() ? names.front() : *other;
+    return changeProperty(data, level, names, property, piece, "Add {} of {}", [&info, named](Json& stated) {
         if (stated.is_null()) {
-            stated = initialStatement(info);
+            stated = withRequiredObjects(info, initialStatement(info), named);
         }
     });
 }

@@ -11,6 +11,18 @@ namespace {
 
 constexpr char const* solutionsKey = "solutions";
 
+std::set<std::string> solutionNames(Json const& level) {
+    std::set<std::string> names;
+    if (Json const* const list = findList(level, solutionsKey)) {
+        for (Json const& solution : *list) {
+            names.insert(textOf(solution, "name"));
+        }
+    }
+    return names;
+}
+
+} // namespace
+
 std::vector<std::string> const& solutionOrder() {
     static std::vector<std::string> const keys{"name",  "expect", "frames", "placements",
                                                "wires", "inputs", "changes"};
@@ -27,18 +39,6 @@ std::size_t indexOfSolution(Json const& level, std::string const& name) {
     }
     throw CommandError(fmt::format("there is no recorded solution '{}'", name));
 }
-
-std::set<std::string> solutionNames(Json const& level) {
-    std::set<std::string> names;
-    if (Json const* const list = findList(level, solutionsKey)) {
-        for (Json const& solution : *list) {
-            names.insert(textOf(solution, "name"));
-        }
-    }
-    return names;
-}
-
-} // namespace
 
 Command addSolution(Json const& level, Solution const& solution) {
     Solution named = solution;

@@ -132,6 +132,23 @@ Json initialStatement(PropertyInfo const& info) {
     return written;
 }
 
+Json withRequiredObjects(PropertyInfo const& info, Json stated, std::string const& name) {
+    auto const value = info.makeValue();
+    for (FieldOutline const& field : outlineOf(*value)) {
+        std::string const key(field.info.key);
+        if (field.type != FieldType::object || !field.info.required) {
+            continue;
+        }
+        if (!stated.is_object()) {
+            stated = Json::object();
+        }
+        if (!stated.contains(key)) {
+            stated[key] = name;
+        }
+    }
+    return stated;
+}
+
 void setAt(Json& value, std::string const& field, Json const& to) {
     if (field.empty()) {
         value = to;

@@ -10,6 +10,8 @@ namespace trembler::edit {
 
 /// The text that a property begins with: its initial values, and required fields that any reader accepts.
 [[nodiscard]] Json initialStatement(PropertyInfo const& info);
+/// The statement with this name for each object that the property must name and the statement does not.
+[[nodiscard]] Json withRequiredObjects(PropertyInfo const& info, Json stated, std::string const& name);
 /// Sets the member at a place of a value, a JSON pointer, and makes objects that are missing on the way; null
 /// removes a member. Throws CommandError for a place that there cannot be.
 void setAt(Json& value, std::string const& field, Json const& to);

@@ -11,7 +11,7 @@ namespace {
 
 TEST(InterfaceSounds, AreSoftAndEndInSilence) {
     for (InterfaceSound const sound : {InterfaceSound::pickUp, InterfaceSound::place, InterfaceSound::refuse,
-                                       InterfaceSound::run, InterfaceSound::solved}) {
+                                       InterfaceSound::run, InterfaceSound::solved, InterfaceSound::click}) {
         std::vector<float> const samples = samplesOf(sound, 48000);
         ASSERT_FALSE(samples.empty());
         EXPECT_LE(samples.size(), 1.2 * 48000);

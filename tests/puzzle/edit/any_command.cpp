@@ -13,6 +13,7 @@
 #include "puzzle/edit/commands/solutions.hpp"
 #include "puzzle/edit/commands/translations.hpp"
 #include "puzzle/edit/tree/part_statements.hpp"
+#include "tests/puzzle/edit/any_further_command.hpp"
 
 namespace trembler::edit {
 
@@ -86,6 +87,9 @@ Command anyCommand(LevelDocument const& document, std::function<int(int)> const&
     auto const kind = [&](std::vector<std::string> const& kinds) {
         return kinds[static_cast<std::size_t>(next(static_cast<int>(kinds.size())))];
     };
+    if (next(4) == 0) {
+        return anyFurtherCommand(document, next);
+    }
     switch (next(62)) {
     case 0:
         return addObject(level, {"steel ball", point(), number()});

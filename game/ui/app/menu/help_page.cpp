@@ -4,8 +4,6 @@
 #include "render/draw/palette.hpp"
 #include "render/panels/buttons.hpp"
 #include "render/panels/theme.hpp"
-#include "render/window/gamepad.hpp"
-#include "render/window/input_events.hpp"
 
 namespace trembler::ui {
 namespace {
@@ -44,14 +42,11 @@ void drawHelpLines(std::vector<HelpLine> const& lines) {
 }
 
 /// The rows are no buttons, so the focus never visits them: without a mouse arrows scroll them.
-void scrollByKeys(InputEvents const& input) {
-    auto const pressed = [&](SDL_Keycode key, SDL_GameControllerButton button) {
-        return input.keyPressed(key, true) || input.keyPressed(padKey(button));
-    };
+void scrollByKeys(MenuKeys const& keys) {
     float const step = scaled(60);
-    if (pressed(SDLK_DOWN, SDL_CONTROLLER_BUTTON_DPAD_DOWN)) {
+    if (keys.pressed(MenuKey::down, true)) {
         ImGui::SetScrollY(ImGui::GetScrollY() + step);
-    } else if (pressed(SDLK_UP, SDL_CONTROLLER_BUTTON_DPAD_UP)) {
+    } else if (keys.pressed(MenuKey::up, true)) {
         ImGui::SetScrollY(ImGui::GetScrollY() - step);
     }
 }
@@ -71,7 +66,7 @@ HelpChoice drawHelp(UiContext& context, Screen& behind) {
     }
     drawHelpLines(helpLines(behind.commands(), behind.gestures(), context.keys));
     if (scrolls) {
-        scrollByKeys(context.input);
+        scrollByKeys(context.menuKeys);
         ImGui::EndChild();
         ImGui::PopStyleColor();
     }

@@ -6,7 +6,6 @@
 #include "render/draw/palette.hpp"
 #include "render/panels/buttons.hpp"
 #include "render/panels/theme.hpp"
-#include "render/window/gamepad.hpp"
 
 #include <algorithm>
 
@@ -26,13 +25,12 @@ void drawKeyRow(CommandInfo const& command, std::string const& keys, bool waitin
             waiting ? mix(palette::paperShade, palette::accent, 0.25F) : palette::paperShade;
         list.AddRectFilled(low, high, imColour(ground), scaled(8));
     }
-    Colour const ink = command.fixed ? palette::inkSoft : palette::ink;
     float const y = 0.5F * (low.y + high.y - ImGui::GetTextLineHeight());
-    list.AddText({low.x + scaled(10), y}, imColour(ink), command.name);
+    list.AddText({low.x + scaled(10), y}, imColour(palette::ink), command.name);
     char const* const shown = waiting        ? text("keys.press")
                               : keys.empty() ? words::nothingStated
                                              : keys.c_str();
-    Colour const colour = command.fixed || (keys.empty() && !waiting) ? palette::inkSoft : palette::accent;
+    Colour const colour = keys.empty() && !waiting ? palette::inkSoft : palette::accent;
     list.AddText({high.x - scaled(10) - ImGui::CalcTextSize(shown).x, y}, imColour(colour), shown);
 }
 
@@ -43,6 +41,14 @@ bool KeysPage::cancel() {
     waiting_ = nullptr;
     complaint_.clear();
     return was;
+}
+
+void KeysPage::cancelByEscape(UiContext const& context) {
+    bool const takesIt = waiting_ != nullptr && std::find(waiting_->keys.begin(), waiting_->keys.end(),
+                                                          Chord{SDLK_ESCAPE}) != waiting_->keys.end();
+    if (context.input.keyPressed(SDLK_ESCAPE) && !takesIt) {
+        cancel();
+    }
 }
 
 void KeysPage::takeKey(UiContext& context) {
@@ -68,15 +74,13 @@ void KeysPage::drawRow(UiContext& context, CommandInfo const& command) {
     bool const hovered = ImGui::IsItemHovered();
     context.layout.item("key of " + id);
     chosen = context.focus.item() || chosen;
-    bool none =
-        context.focus.here() && !taking_ &&
-        (context.input.keyPressed(SDLK_DELETE) || context.input.keyPressed(padKey(SDL_CONTROLLER_BUTTON_X)));
-    drawKeyRow(command, labelsOf(context.keys.keysOf(command.id)), waiting_ == &command,
-               hovered && !command.fixed);
+    bool none = context.focus.here() && !taking_ &&
+                (context.menuKeys.pressed(MenuKey::erase) || context.menuKeys.pressed(MenuKey::type));
+    drawKeyRow(command, labelsOf(context.keys.keysOf(command.id)), waiting_ == &command, hovered);
     if (hovered && command.tip != command.name) {
         ImGui::SetTooltip("%s", words::wrapped(command.tip, 60).c_str());
     }
-    if (!command.fixed) {
+    if (!command.essential) {
         ImGui::SameLine(0, scaled(4));
         ImVec2 const at = ImGui::GetCursorScreenPos();
         none = ImGui::InvisibleButton(("none " + id).c_str(), {button, button}) || none;
@@ -89,11 +93,13 @@ void KeysPage::drawRow(UiContext& context, CommandInfo const& command) {
     }
     if (none) {
         cancel();
-        context.keys.unbind(command);
+        if (auto const why = context.keys.unbind(command)) {
+            complaint_ = *why + ".";
+        }
         context.profile.setKeys(context.keys.stated());
     } else if (chosen) {
-        complaint_ = command.fixed ? words::keepsItsKey(command.name) + "." : std::string();
-        waiting_ = command.fixed ? nullptr : &command;
+        complaint_.clear();
+        waiting_ = &command;
     }
 }
 

@@ -14,6 +14,9 @@ public:
     bool draw(UiContext& context);
     /// Stops waiting for a key. Returns false if it was not waiting.
     bool cancel();
+    /// Does so if Esc was pressed, whatever it is bound to; a command that has Esc by default may get it
+    /// back.
+    void cancelByEscape(UiContext const& context);
     [[nodiscard]] bool waiting() const { return waiting_ != nullptr; }
     /// The message why a key could not be assigned last; "" if it could.
     [[nodiscard]] std::string const& complaint() const { return complaint_; }

@@ -5,7 +5,6 @@
 #include "render/draw/palette.hpp"
 #include "render/panels/buttons.hpp"
 #include "render/panels/theme.hpp"
-#include "render/window/gamepad.hpp"
 
 #include <algorithm>
 #include <span>
@@ -183,8 +182,9 @@ void Menu::drawCommands(UiContext& context, Screen& behind) {
 }
 
 std::optional<ScreenRequest> Menu::draw(UiContext& context, Screen& behind) {
-    bool const padBack = context.input.keyPressed(padKey(SDL_CONTROLLER_BUTTON_B)) && !keys_.waiting();
-    if ((padBack || (context.input.keyPressed(SDLK_ESCAPE) && !keys_.cancel())) && !solutions_.cancel()) {
+    if (keys_.waiting()) { // every key but Esc may be the new one
+        keys_.cancelByEscape(context);
+    } else if (context.menuKeys.pressed(MenuKey::back) && !solutions_.cancel()) {
         back();
         return {};
     }
@@ -199,10 +199,10 @@ std::optional<ScreenRequest> Menu::draw(UiContext& context, Screen& behind) {
         return request::SwitchFullscreen{}; // the one command that a menu has, too
     }
     drawVeil();
-    auto const events =
-        keys_.waiting() || solutions_.typing() ? std::span<SDL_Event const>() : context.input.events();
+    auto const presses = keys_.waiting() || solutions_.typing() ? std::span<MenuKeys::Press const>()
+                                                                : context.menuKeys.presses();
     if (page() != MenuPage::solutions || !solutions_.browsing()) { // the list of files is a page of its own
-        context.focus.begin(pageName(page()), events, context.input.mouseMoved() != Point{});
+        context.focus.begin(pageName(page()), presses, context.input.mouseMoved() != Point{});
     }
     context.pictures.forgetWaiting();
     MenuPage const shown = page();

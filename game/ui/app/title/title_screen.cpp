@@ -136,7 +136,7 @@ std::optional<ScreenRequest> TitleScreen::update(double seconds) {
     pass(seconds);
     request_.reset();
     carryOutKeys(context_.input.events(), context_.keys, commands_);
-    context_.focus.begin("title", context_.input.events(), context_.input.mouseMoved() != Point{});
+    context_.focus.begin("title", context_.menuKeys.presses(), context_.input.mouseMoved() != Point{});
     drawTitle();
     drawButtons();
     if (context_.input.pressed(MouseButton::Left) && !context_.gui.wantsMouse() && rings_ <= 0) {

@@ -4,7 +4,6 @@
 #include "game/ui/edit/commands/edit_actions.hpp"
 #include "game/ui/edit/edit_parts.hpp"
 #include "game/ui/shared/commands/common_commands.hpp"
-#include "render/window/gamepad.hpp"
 
 #include <vector>
 
@@ -14,15 +13,7 @@ namespace {
 using render::Icon;
 
 constexpr Command<EditParts> unlisted[] = {
-    {.info = {.id = "edit-back",
-              .keys = {{{SDLK_ESCAPE}}},
-              .pad = {render::padKey(SDL_CONTROLLER_BUTTON_B)},
-              .fixed = true,
-              .group = CommandGroup::editing,
-              .name = "Back",
-              .tip = "Let go, deselect; then the menu",
-              .help = "let go, deselect, menu"},
-     .run = actions::back},
+    {.info = common::back, .run = actions::back},
     {.info = common::fullscreen, .run = actions::switchFullscreen},
 };
 

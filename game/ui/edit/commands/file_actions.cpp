@@ -23,8 +23,10 @@ void newLevel(EditParts& parts) {
 void openLevel(EditParts& parts) {
     leaveFor(parts, [](EditParts& p) {
         auto const& path = p.document.path();
-        p.browser.begin(FileBrowser::Purpose::open,
-                        path.empty() ? p.options.data->home / "levels" : path.parent_path());
+        auto const& last = p.context.edited; // that of a level which was left a moment ago
+        p.browser.begin(FileBrowser::Purpose::open, !path.empty()  ? path.parent_path()
+                                                    : last.empty() ? p.options.data->home / "levels"
+                                                                   : last);
     });
 }
 
@@ -33,6 +35,7 @@ bool saveTo(EditParts& parts, std::filesystem::path const& path, edit::LevelDocu
         path.empty() ? parts.document.save(overwrite) : parts.document.saveAs(path, overwrite);
     if (result.ok()) {
         parts.autosave->close();
+        parts.context.edited = parts.document.path().parent_path();
         parts.tell(words::savedTo(parts.document.path().filename().string()), ToastKind::Success);
         if (auto const next = std::exchange(parts.afterSaving, {})) {
             next(parts);
@@ -67,7 +70,8 @@ void saveAs(EditParts& parts) {
     }
     if (start.empty()) {
         std::error_code ignored;
-        start = std::filesystem::current_path(ignored) / "my-level.json";
+        auto const& last = parts.context.edited;
+        start = (last.empty() ? std::filesystem::current_path(ignored) : last) / "my-level.json";
     }
     parts.browser.begin(FileBrowser::Purpose::saveAs, start);
 }

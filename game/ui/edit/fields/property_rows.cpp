@@ -8,6 +8,9 @@
 #include "render/draw/palette.hpp"
 #include "render/panels/theme.hpp"
 
+#include <string>
+#include <utility>
+
 namespace trembler::ui {
 namespace {
 
@@ -76,6 +79,19 @@ void drawList(Owner const& owner, std::string const& key, InspectedField const& 
     }
 }
 
+/// The place that a new value is for, and the value: of several objects in different places one coordinate,
+/// so that each keeps its other one.
+std::pair<std::string, Json> changeOf(InspectedField const& field, Json const& value) {
+    bool const several = field.mixed && field.type == FieldType::vector && field.place.empty();
+    if (several && field.value.is_array() && field.value.size() == 2 && value[1] == field.value[1]) {
+        return {"/0", value[0]};
+    }
+    if (several && field.value.is_array() && field.value.size() == 2 && value[0] == field.value[0]) {
+        return {"/1", value[1]};
+    }
+    return {field.place, value};
+}
+
 void drawField(Owner const& owner, std::string const& key, InspectedField const& field) {
     if (field.type == FieldType::list) {
         return drawList(owner, key, field);
@@ -84,8 +100,10 @@ void drawField(Owner const& owner, std::string const& key, InspectedField const&
     if (auto const value = fieldWidget(owner.parts, field, item)) {
         bool const continuous = field.type == FieldType::number || field.type == FieldType::integer ||
                                 field.type == FieldType::vector;
+        auto const [place, changed] = changeOf(field, *value);
         runWidget(
-            owner.parts, [&](Json const& level) { return owner.set(level, key, field.place, *value); },
+            owner.parts,
+            [&, at = place, to = changed](Json const& level) { return owner.set(level, key, at, to); },
             continuous);
     }
 }

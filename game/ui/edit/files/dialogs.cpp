@@ -7,7 +7,6 @@
 #include "render/draw/palette.hpp"
 #include "render/panels/buttons.hpp"
 #include "render/panels/theme.hpp"
-#include "render/window/gamepad.hpp"
 
 #include <algorithm>
 
@@ -17,7 +16,7 @@ namespace {
 using namespace render;
 
 void beginDialog(UiContext& context, char const* name, char const* title, bool typing, float width = 420) {
-    context.focus.begin(name, typing ? std::span<SDL_Event const>() : context.input.events(),
+    context.focus.begin(name, typing ? std::span<MenuKeys::Press const>() : context.menuKeys.presses(),
                         context.input.mouseMoved() != Point{});
     context.layout.beginCard(name, title, {.anchor = Anchor::Middle, .width = width});
     ImGui::Dummy({0, scaled(2)});
@@ -176,8 +175,7 @@ void Dialogs::drawConflict(EditParts& parts) {
 }
 
 void Dialogs::draw(EditParts& parts) {
-    InputEvents const& input = parts.context.input;
-    if (input.keyPressed(SDLK_ESCAPE) || input.keyPressed(padKey(SDL_CONTROLLER_BUTTON_B))) {
+    if (parts.context.menuKeys.pressed(MenuKey::back)) {
         close();
         parts.giveUpLeaving();
         return;

@@ -158,12 +158,13 @@ void FileBrowser::drawEntries(UiContext& context, std::optional<fs::path>& chose
 }
 
 std::optional<fs::path> FileBrowser::draw(UiContext& context) {
-    if (context.input.keyPressed(SDLK_ESCAPE) || context.input.keyPressed(padKey(SDL_CONTROLLER_BUTTON_B))) {
+    if (context.menuKeys.pressed(MenuKey::back)) {
         close();
         return {};
     }
     bool const typing = context.gui.wantsKeyboard();
-    context.focus.begin("file browser", typing ? std::span<SDL_Event const>() : context.input.events(),
+    context.focus.begin("file browser",
+                        typing ? std::span<MenuKeys::Press const>() : context.menuKeys.presses(),
                         context.input.mouseMoved() != Point{});
     std::optional<fs::path> chosen;
     bool const saving = purpose_ == Purpose::saveAs;

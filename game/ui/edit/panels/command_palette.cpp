@@ -4,7 +4,6 @@
 #include "game/ui/edit/files/file_browser.hpp"
 #include "render/draw/palette.hpp"
 #include "render/panels/theme.hpp"
-#include "render/window/gamepad.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -43,10 +42,8 @@ void CommandPalette::begin() {
 }
 
 std::optional<std::size_t> CommandPalette::draw(UiContext& context, CommandSet const& commands) {
-    auto const pressed = [&](SDL_Keycode key, SDL_GameControllerButton button) {
-        return context.input.keyPressed(key, true) || context.input.keyPressed(padKey(button), true);
-    };
-    if (pressed(SDLK_ESCAPE, SDL_CONTROLLER_BUTTON_B)) {
+    MenuKeys const& keys = context.menuKeys;
+    if (keys.pressed(MenuKey::back, true)) {
         close();
         return {};
     }
@@ -54,13 +51,13 @@ std::optional<std::size_t> CommandPalette::draw(UiContext& context, CommandSet c
     std::vector<std::size_t> shown;
     for (std::size_t i = 0; i < commands.size(); ++i) {
         CommandInfo const& info = commands.info(i);
-        if (commands.available(i) && !info.fixed &&
+        if (commands.available(i) && !info.leads &&
             fitsSearch(std::string(info.name) + " " + info.tip, typed_)) {
             shown.push_back(i);
         }
     }
-    bool const down = pressed(SDLK_DOWN, SDL_CONTROLLER_BUTTON_DPAD_DOWN);
-    bool const up = pressed(SDLK_UP, SDL_CONTROLLER_BUTTON_DPAD_UP);
+    bool const down = keys.pressed(MenuKey::down, true);
+    bool const up = keys.pressed(MenuKey::up, true);
     if (down) {
         ++chosen_;
     }
@@ -85,7 +82,7 @@ std::optional<std::size_t> CommandPalette::draw(UiContext& context, CommandSet c
     ImGui::BeginChild("found", {0, scaled(room)});
     for (std::size_t row = 0; row < shown.size(); ++row) {
         CommandInfo const& info = commands.info(shown[row]);
-        auto const keys = context.keys.keysOf(info.id);
+        auto const chords = context.keys.keysOf(info.id);
         ImGui::PushID(static_cast<int>(shown[row]));
         if (ImGui::Selectable(info.name, row == chosen_)) {
             run = shown[row];
@@ -97,8 +94,8 @@ std::optional<std::size_t> CommandPalette::draw(UiContext& context, CommandSet c
         if (row == chosen_ && moved) {
             ImGui::SetScrollHereY();
         }
-        if (!keys.empty()) {
-            std::string const key = labelOf(keys.front());
+        if (!chords.empty()) {
+            std::string const key = labelOf(chords.front());
             ImGui::SameLine(ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(key.c_str()).x);
             ImGui::TextDisabled("%s", key.c_str());
         }
@@ -107,9 +104,7 @@ std::optional<std::size_t> CommandPalette::draw(UiContext& context, CommandSet c
     ImGui::EndChild();
     ImGui::PopStyleColor();
     context.layout.endCard();
-    bool const enter = context.input.keyPressed(SDLK_RETURN) || context.input.keyPressed(SDLK_KP_ENTER) ||
-                       context.input.keyPressed(padKey(SDL_CONTROLLER_BUTTON_A));
-    if (enter && !fresh_ && chosen_ < shown.size()) {
+    if (keys.pressed(MenuKey::press) && !fresh_ && chosen_ < shown.size()) {
         run = shown[chosen_];
     }
     fresh_ = false;

@@ -63,10 +63,8 @@ bool drawPartsPage(EditParts& parts) {
                                          .selected = parts.partInHand == part,
                                          .side = tileOfCatalogue});
         parts.context.layout.item("part " + part);
-        InputEvents const& input = parts.context.input;
-        bool const byKey = parts.panelKeys && ImGui::IsItemFocused() &&
-                           (input.keyPressed(SDLK_RETURN) || input.keyPressed(SDLK_SPACE) ||
-                            input.keyPressed(padKey(SDL_CONTROLLER_BUTTON_A)));
+        bool const byKey =
+            parts.panelKeys && ImGui::IsItemFocused() && parts.context.menuKeys.pressed(MenuKey::press);
         if (byKey) {
             actions::addPart(parts, part, parts.middleOfView());
         } else if (use.taken && !parts.document.readOnly() &&

@@ -3,6 +3,7 @@
 #include "game/ui/edit/fields/field_widgets.hpp"
 #include "game/ui/edit/fields/page_elements.hpp"
 #include "game/ui/edit/panels/side_panel.hpp"
+#include "game/ui/edit/panels/solution_entries.hpp"
 #include "puzzle/edit/commands/solutions.hpp"
 #include "render/panels/cards.hpp"
 #include "render/panels/check_box.hpp"
@@ -87,6 +88,17 @@ void moveSolutionTo(EditParts& parts, ShownSolution const& one, ShownSolution co
     }
 }
 
+/// The solution as the file has it now; nullptr if it has been renamed or removed since it was read.
+Json const* statedSolution(EditParts const& parts, std::string const& name) {
+    auto const list = parts.tree().find("solutions");
+    if (list == parts.tree().end() || !list->is_array()) {
+        return nullptr;
+    }
+    auto const found =
+        std::find_if(list->begin(), list->end(), [&](Json const& entry) { return nameOf(entry) == name; });
+    return found == list->end() ? nullptr : &*found;
+}
+
 void drawSolution(EditParts& parts, std::vector<ShownSolution> const& all, std::size_t index) {
     Solution const& solution = all[index].solution;
     std::size_t const count = all.size();
@@ -94,7 +106,11 @@ void drawSolution(EditParts& parts, std::vector<ShownSolution> const& all, std::
     std::string name = solution.name;
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - (count > 1 ? orderArrowsWidth() : 0));
     if (committedText(parts, item, name)) {
-        parts.run([&](Json const& level) { return edit::renameSolution(level, solution.name, name); });
+        bool const renamed =
+            parts.run([&](Json const& level) { return edit::renameSolution(level, solution.name, name); });
+        if (renamed && parts.entries.solution == solution.name) {
+            parts.entries.solution = name;
+        }
     }
     if (count > 1) {
         if (auto const to = orderArrows(parts, item, index, count)) {
@@ -126,6 +142,16 @@ void drawSolution(EditParts& parts, std::vector<ShownSolution> const& all, std::
     besideIfRoom(words::removeIt);
     if (smallButton(parts, words::removeIt, item + " remove")) {
         parts.run([&](Json const& level) { return edit::removeSolution(level, solution.name); });
+    }
+    bool const shows = parts.entries.solution == solution.name;
+    char const* const label = shows ? words::hideEntries : words::showEntries;
+    besideIfRoom(label);
+    if (smallButton(parts, label, item + " entries", words::entriesTip)) {
+        parts.entries.solution = shows ? std::string() : solution.name;
+        parts.entries.first.clear();
+    }
+    if (Json const* const stated = shows ? statedSolution(parts, solution.name) : nullptr) {
+        drawSolutionEntries(parts, solution.name, *stated);
     }
     ImGui::Separator();
 }

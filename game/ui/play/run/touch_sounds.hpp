@@ -30,6 +30,8 @@ public:
 
     /// To be called once for every picture.
     void look(Touched const& now);
+    /// Nothing that happened since the last picture is heard: another page was shown.
+    void forget() { before_.reset(); }
 
 private:
     Loudspeaker* loudspeaker_;

@@ -1,5 +1,7 @@
 #include "game/ui/shared/commands/carry_out_keys.hpp"
 
+#include "game/ui/shared/commands/menu_keys.hpp"
+
 #include <algorithm>
 #include <vector>
 
@@ -26,12 +28,33 @@ std::optional<std::size_t> carryOutKeys(std::span<SDL_Event const> events, KeyBi
             refused = index;
         }
         commands.run(*index);
-        if (info.fixed) {
+        if (info.leads) {
             return refused; // it leaves this page: later keys of this picture were meant for the page that is
                             // left
         }
     }
     return refused;
+}
+
+bool passesWidgets(SDL_Event const& event, KeyBindings const& bindings, CommandSet const& commands,
+                   std::span<SDL_Keycode const> leading) {
+    auto const index =
+        event.type == SDL_KEYDOWN ? bindings.find(commands, event.key.keysym) : std::optional<std::size_t>();
+    if (!index) {
+        return false;
+    }
+    CommandInfo const& info = commands.info(*index);
+    if (info.leads) {
+        return true;
+    }
+    SDL_Keycode const key = event.key.keysym.sym;
+    auto const meaning = menuKeyOf(event.key.keysym, bindings);
+    if (render::isPadKey(key)) {
+        bool const turnsPages = meaning == MenuKey::pageNext || meaning == MenuKey::pageBefore;
+        return (!meaning || turnsPages) &&
+               std::find(leading.begin(), leading.end(), info.pad.key) != leading.end();
+    }
+    return !meaning && ((key >= SDLK_F1 && key <= SDLK_F12) || (event.key.keysym.mod & KMOD_CTRL) != 0);
 }
 
 bool isHeld(render::InputEvents const& input, KeyBindings const& bindings, std::string_view id) {

@@ -17,6 +17,11 @@ namespace trembler::ui {
 std::optional<std::size_t> carryOutKeys(std::span<SDL_Event const> events, KeyBindings const& bindings,
                                         CommandSet& commands);
 
+/// Whether a key acts on the screen while widgets have the keys: function keys, those with Ctrl, and that
+/// which leads back; of a gamepad the buttons of commands that by default have one of `leading`.
+[[nodiscard]] bool passesWidgets(SDL_Event const& event, KeyBindings const& bindings,
+                                 CommandSet const& commands, std::span<SDL_Keycode const> leading);
+
 /// Whether a key of a command of KeyUse::held is down; modifiers that are not part of the chord are ignored.
 [[nodiscard]] bool isHeld(render::InputEvents const& input, KeyBindings const& bindings, std::string_view id);
 

@@ -31,7 +31,7 @@ enum class PadPhase : std::uint8_t {
 };
 
 /// The section of the page of keys in which a command is listed.
-enum class CommandGroup : std::uint8_t { building, running, looking, program, editing };
+enum class CommandGroup : std::uint8_t { building, running, looking, program, editing, menus };
 
 /// Name and look of a switch while it is on; nullptr or None: the same as while it is off.
 struct WhenOn {
@@ -45,10 +45,15 @@ struct WhenOn {
 struct CommandInfo {
     /// The name in profiles; lower-case letters and hyphens. Never changes once published.
     std::string_view id;
-    std::array<Chord, 2> keys{}; ///< defaults that the player may replace; tips show the first
+    std::array<Chord, 3> keys{}; ///< defaults that the player may replace; tips show the first
     Chord pad{};                 ///< the same for the button of a gamepad
     KeyUse use = KeyUse::once;
-    bool fixed = false; ///< the player cannot change its keys; modifiers are ignored
+    /// It always has a key and a button, if it has them by default: the player can change but not remove
+    /// them.
+    bool essential = false;
+    /// It leads back from a page: its keys act with any modifiers and are nobody else's, the keys pressed
+    /// after it in the same picture are ignored, and no list of commands has it.
+    bool leads = false;
     render::Icon icon = render::Icon::None;
     CommandGroup group = CommandGroup::program;
     Phrase name = ""; ///< on buttons and in the list of keys

@@ -25,7 +25,7 @@ std::vector<std::size_t> runnable(CommandSet const& commands) {
     std::vector<std::size_t> all;
     for (std::size_t i = 0; i < commands.size(); ++i) {
         CommandInfo const& info = commands.info(i);
-        if (commands.available(i) && !info.fixed && info.use != KeyUse::held) {
+        if (commands.available(i) && !info.leads && info.use != KeyUse::held) {
             all.push_back(i);
         }
     }

@@ -2,6 +2,8 @@
 #pragma once
 
 #include "game/ui/shared/commands/command.hpp"
+#include "game/ui/shared/words.hpp"
+#include "render/window/gamepad.hpp"
 
 namespace trembler::ui::common {
 
@@ -11,6 +13,17 @@ inline constexpr CommandInfo fullscreen{.id = "fullscreen",
                                         .name = "Full screen",
                                         .tip = "Switch full screen on or off",
                                         .help = "fill the whole screen"};
+
+inline constexpr CommandInfo back{.id = "back",
+                                  .keys = {{{SDLK_ESCAPE}}},
+                                  .pad = {render::padKey(SDL_CONTROLLER_BUTTON_B)},
+                                  .essential = true,
+                                  .leads = true,
+                                  .icon = render::Icon::Back,
+                                  .group = CommandGroup::program,
+                                  .name = words::back,
+                                  .tip = "Let go, deselect, close what is open, or else open the menu",
+                                  .help = "levels, menu"};
 
 inline constexpr CommandInfo help{.id = "help",
                                   .keys = {{{SDLK_F1}}},

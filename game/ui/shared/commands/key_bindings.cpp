@@ -25,6 +25,10 @@ bool holds(std::vector<Chord> const& keys, Chord const& chord) {
     return std::find(keys.begin(), keys.end(), chord) != keys.end();
 }
 
+bool holdsKey(std::vector<Chord> const& keys, SDL_Keycode key) {
+    return std::any_of(keys.begin(), keys.end(), [&](Chord const& chord) { return chord.key == key; });
+}
+
 /// Whether the two could mean the same button of a gamepad at the same time.
 bool phasesMeet(CommandInfo const& a, CommandInfo const& b) {
     return a.padPhase == b.padPhase || a.padPhase == PadPhase::always || b.padPhase == PadPhase::always;
@@ -79,8 +83,10 @@ bool KeyBindings::shareAScreen(CommandInfo const& a, CommandInfo const& b) const
 
 CommandInfo const* KeyBindings::owner(CommandInfo const& asking, Chord const& chord) const {
     for (CommandInfo const* command : commands_) {
-        if (command->id != asking.id && holds(keys_.at(command->id), chord) &&
-            shareAScreen(*command, asking) &&
+        // A command that leads back acts with any modifiers.
+        std::vector<Chord> const& keys = keys_.at(command->id);
+        bool const same = command->leads || asking.leads ? holdsKey(keys, chord.key) : holds(keys, chord);
+        if (command->id != asking.id && same && shareAScreen(*command, asking) &&
             (!render::isPadKey(chord.key) || phasesMeet(*command, asking))) {
             return command;
         }
@@ -94,16 +100,6 @@ std::span<Chord const> KeyBindings::keysOf(std::string_view id) const {
 }
 
 std::optional<std::string> KeyBindings::whyNot(CommandInfo const& command, Chord const& chord) const {
-    if (command.fixed) {
-        return words::keepsItsKey(command.name);
-    }
-    for (CommandInfo const* other : commands_) {
-        for (Chord const& own : defaultsOf(*other)) {
-            if (other->fixed && own.key == chord.key) { // a fixed command reacts with any modifiers
-                return words::keyIsTaken(labelOf(own), other->name);
-            }
-        }
-    }
     if (CommandInfo const* const other = owner(command, chord)) {
         return words::keyIsTaken(labelOf(chord), other->name);
     }
@@ -116,15 +112,28 @@ std::optional<std::string> KeyBindings::bind(CommandInfo const& command, Chord c
         std::vector<Chord>& keys = keys_[command.id];
         bool const pad = render::isPadKey(chord.key); // a gamepad's button replaces no key
         std::erase_if(keys, [&](Chord const& old) { return render::isPadKey(old.key) == pad; });
-        keys.insert(pad ? keys.end() : keys.begin(), chord);
+        keys.insert(pad ? keys.end() : keys.begin(), command.leads ? Chord{.key = chord.key} : chord);
     }
     return why;
 }
 
-void KeyBindings::unbind(CommandInfo const& command) {
-    if (!command.fixed) {
-        keys_[command.id].clear();
+std::optional<std::string> KeyBindings::unbind(CommandInfo const& command) {
+    if (command.essential) {
+        return words::keepsItsKey(command.name);
     }
+    keys_[command.id].clear();
+    return std::nullopt;
+}
+
+bool KeyBindings::lacksKeys(CommandInfo const& command) const {
+    auto const kindsOf = [](std::vector<Chord> const& keys, bool pad) {
+        return std::any_of(keys.begin(), keys.end(),
+                           [&](Chord const& chord) { return render::isPadKey(chord.key) == pad; });
+    };
+    auto const usual = defaultsOf(command);
+    auto const& now = keys_.at(command.id);
+    return command.essential &&
+           ((kindsOf(usual, false) && !kindsOf(now, false)) || (kindsOf(usual, true) && !kindsOf(now, true)));
 }
 
 void KeyBindings::reset() {
@@ -196,10 +205,12 @@ std::vector<std::string> KeyBindings::load(StatedKeys const& stated) {
         CommandInfo const* const found = known(id);
         if (found == nullptr) {
             troubles.push_back(words::noSuchCommand(id));
-        } else if (found->fixed) {
-            troubles.push_back(words::keysNotTaken(id, words::keepsItsKey(found->name)));
         } else if (auto keys = read(*found, names, troubles)) {
             keys_[found->id] = std::move(*keys);
+            if (lacksKeys(*found)) {
+                troubles.push_back(words::keysNotTaken(id, words::keepsItsKey(found->name)));
+                keys_[found->id] = defaultsOf(*found);
+            }
         }
     }
     settleConflicts(stated, troubles);
@@ -220,7 +231,7 @@ std::optional<std::size_t> KeyBindings::find(CommandSet const& commands, SDL_Key
             if (chord.key != asked.key || info.use == KeyUse::held) {
                 continue;
             }
-            if (info.fixed) {
+            if (info.leads) {
                 return i;
             }
             bool const fits =

@@ -30,7 +30,8 @@ template <class Context>
 /// Keys as stored in a profile: names of chords by command id.
 using StatedKeys = std::map<std::string, std::vector<std::string>>;
 
-/// No two commands of one screen ever have the same chord. Window thread only.
+/// No two commands of one screen ever have the same chord, and essential commands always have one. Window
+/// thread only.
 class KeyBindings {
 public:
     /// The objects that the lists refer to must outlive this, and their default keys must not conflict.
@@ -55,8 +56,8 @@ public:
     /// Replaces all keys of the command by this chord, or by a gamepad's button all its buttons; if that is
     /// not possible, changes nothing and returns the reason.
     std::optional<std::string> bind(CommandInfo const& command, Chord const& chord);
-    /// Removes the command's keys; a fixed command keeps its own.
-    void unbind(CommandInfo const& command);
+    /// Removes the command's keys; an essential command keeps its own, and the reason is returned.
+    std::optional<std::string> unbind(CommandInfo const& command);
     /// Restores all defaults.
     void reset();
 
@@ -71,6 +72,8 @@ private:
     [[nodiscard]] CommandInfo const* known(std::string_view id) const;
     [[nodiscard]] bool shareAScreen(CommandInfo const& a, CommandInfo const& b) const;
     [[nodiscard]] CommandInfo const* owner(CommandInfo const& asking, Chord const& chord) const;
+    /// Whether an essential command has no key or no button any more.
+    [[nodiscard]] bool lacksKeys(CommandInfo const& command) const;
     [[nodiscard]] std::optional<std::vector<Chord>> read(CommandInfo const& command,
                                                          std::vector<std::string> const& names,
                                                          std::vector<std::string>& troubles) const;

@@ -66,6 +66,8 @@ char const* titleOf(CommandGroup group) {
         return words::groupLooking;
     case CommandGroup::editing:
         return words::groupEditing;
+    case CommandGroup::menus:
+        return words::groupMenus;
     case CommandGroup::program:
         break;
     }
@@ -117,7 +119,7 @@ std::string keysMarkdown(KeyBindings const& bindings) {
 std::string gesturesMarkdown(std::span<Gesture const> gestures) {
     std::string text;
     for (CommandGroup const group : {CommandGroup::building, CommandGroup::running, CommandGroup::looking,
-                                     CommandGroup::program, CommandGroup::editing}) {
+                                     CommandGroup::program, CommandGroup::editing, CommandGroup::menus}) {
         std::string rows;
         for (Gesture const& gesture : gestures) {
             if (gesture.group == group) {

@@ -116,6 +116,23 @@ void drawTyped(ShownKeyboard const& shown, float width) {
 
 } // namespace
 
+std::string legendOf(KeyBindings const& bindings) {
+    auto const button = [&](std::string_view id) {
+        for (Chord const& chord : bindings.keysOf(id)) {
+            if (std::string_view const name = nameOfPadKey(chord.key); name.starts_with("Pad ")) {
+                return std::string(name.substr(4));
+            }
+        }
+        return std::string(words::nothingStated);
+    };
+    return textWith(
+        "{}: press · {}: delete · {}: space · {}, {}: cursor · {}: capitals · {}: signs · {}: done "
+        "· {}: cancel",
+        button("menu-press"), button("letters-erase"), button("letters-space"), button("letters-left"),
+        button("letters-right"), button("letters-capitals"), button("letters-signs"), button("letters-done"),
+        button("back"));
+}
+
 void drawKeyboard(Layout& layout, ShownKeyboard const& shown) {
     ImVec2 const screen = ImGui::GetIO().DisplaySize;
     float const card = std::min(widestKeyboard, screen.x / theme().scale - 16);
@@ -123,7 +140,7 @@ void drawKeyboard(Layout& layout, ShownKeyboard const& shown) {
     ImGui::BringWindowToDisplayFront(ImGui::GetCurrentWindow());
     float const width = ImGui::GetContentRegionAvail().x;
     ImGui::PushFont(theme().fonts.small);
-    ImVec2 const legend = ImGui::CalcTextSize(words::lettersLegend, nullptr, false, width);
+    ImVec2 const legend = ImGui::CalcTextSize(shown.legend.c_str(), nullptr, false, width);
     ImGui::PopFont();
     drawTyped(shown, width);
     // Never more than two thirds of the window.
@@ -148,7 +165,7 @@ void drawKeyboard(Layout& layout, ShownKeyboard const& shown) {
     ImGui::PushFont(theme().fonts.small);
     ImGui::PushStyleColor(ImGuiCol_Text, imColour4(palette::inkSoft));
     ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width + 1);
-    ImGui::TextUnformatted(words::lettersLegend);
+    ImGui::TextUnformatted(shown.legend.c_str());
     ImGui::PopTextWrapPos();
     ImGui::PopStyleColor();
     ImGui::PopFont();

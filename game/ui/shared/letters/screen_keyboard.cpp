@@ -1,5 +1,6 @@
 #include "game/ui/shared/letters/screen_keyboard.hpp"
 
+#include "game/ui/shared/commands/menu_keys.hpp"
 #include "game/ui/shared/letters/keyboard_drawing.hpp"
 #include "game/ui/shared/texts.hpp"
 
@@ -242,7 +243,11 @@ void ScreenKeyboard::letGo(render::InputEvents& input) {
     });
 }
 
-void ScreenKeyboard::takeInput(render::InputEvents& input, double seconds) {
+bool ScreenKeyboard::fieldHasKeys() const {
+    return fieldInUse() != nullptr;
+}
+
+void ScreenKeyboard::takeInput(render::InputEvents& input, KeyBindings const& bindings, double seconds) {
     waited_ = std::exchange(waits_, false);
     for (SDL_Keycode const key : std::exchange(due_, {})) {
         input.typeForWidgets(keyEvent(key, false));
@@ -254,7 +259,7 @@ void ScreenKeyboard::takeInput(render::InputEvents& input, double seconds) {
         hands = hands || isOfHands(event);
         if (event.type == SDL_KEYDOWN && isPadKey(event.key.keysym.sym)) {
             pad = true;
-            asked = asked || event.key.keysym.sym == padKey(SDL_CONTROLLER_BUTTON_X);
+            asked = asked || menuKeyOf(event.key.keysym, bindings) == MenuKey::type;
         }
     }
     byPad_ = !hands && (pad || byPad_);
@@ -268,7 +273,7 @@ void ScreenKeyboard::takeInput(render::InputEvents& input, double seconds) {
     }
     repeat(seconds);
     for (SDL_Event const& event : input.takePadKeys()) {
-        SDL_Keycode const key = event.key.keysym.sym;
+        SDL_Keycode const key = letterButtonOf(event.key.keysym.sym, bindings);
         if (event.type == SDL_KEYDOWN) {
             if (open_) {
                 press(key, input);
@@ -279,7 +284,7 @@ void ScreenKeyboard::takeInput(render::InputEvents& input, double seconds) {
             direction_.reset();
         }
         for (Held& held : held_) {
-            held.pad = held.pad == key ? 0 : held.pad;
+            held.pad = key != 0 && held.pad == key ? 0 : held.pad;
         }
         input.typeForWidgets(event); // it may have gone down before this was open
     }
@@ -295,7 +300,7 @@ void ScreenKeyboard::beginPicture() {
     }
 }
 
-void ScreenKeyboard::draw(Layout& layout) {
+void ScreenKeyboard::draw(Layout& layout, KeyBindings const& bindings) {
     ImGuiInputTextState const* const field = fieldInUse();
     unsigned const before = std::exchange(field_, field == nullptr ? 0 : field->ID);
     if (field == nullptr) {
@@ -316,7 +321,8 @@ void ScreenKeyboard::draw(Layout& layout) {
                           .chosen = chosen_,
                           .page = wanted_.page,
                           .before = inOneLine(text, text + cursor),
-                          .behind = inOneLine(text + cursor, text + field->CurLenW)});
+                          .behind = inOneLine(text + cursor, text + field->CurLenW),
+                          .legend = legendOf(bindings)});
 }
 
 } // namespace trembler::ui

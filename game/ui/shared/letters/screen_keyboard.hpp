@@ -1,6 +1,7 @@
 // A keyboard on the screen, by which a gamepad types into any field for text or numbers.
 #pragma once
 
+#include "game/ui/shared/commands/key_bindings.hpp"
 #include "game/ui/shared/layout.hpp"
 #include "game/ui/shared/letters/letter_keys.hpp"
 #include "render/window/input_events.hpp"
@@ -20,14 +21,16 @@ namespace trembler::ui {
 class ScreenKeyboard {
 public:
     /// Between InputEvents::poll and Gui::beginFrame.
-    void takeInput(render::InputEvents& input, double seconds);
+    void takeInput(render::InputEvents& input, KeyBindings const& bindings, double seconds);
+    /// Whether a text field has the keyboard, also before Gui::beginFrame.
+    [[nodiscard]] bool fieldHasKeys() const;
     /// After Gui::beginFrame, before any widget.
     void beginPicture();
     /// After all widgets of the picture: opens or closes it, and draws it.
-    void draw(Layout& layout);
+    void draw(Layout& layout, KeyBindings const& bindings);
 
     /// For a list in which a gamepad moves while the field above it has the keys, in this picture: it opens
-    /// only if asked for, with X.
+    /// only if asked for, by the button that begins to type.
     void waitToBeAsked() { waits_ = true; }
     [[nodiscard]] bool open() const { return open_; }
     /// Whether the next picture may be another one even if nothing happens.

@@ -33,7 +33,7 @@ std::vector<std::string> allTexts() {
     }
     for (auto const& table : {editCommands(), testCommands()}) {
         for (Command<EditParts> const& command : table) {
-            if (command.info.id.starts_with("edit-")) {
+            if (command.info.id.starts_with("edit-") || command.info.leads) {
                 for (char const* const text : {command.info.name, command.info.tip, command.info.help}) {
                     all.emplace_back(text);
                 }

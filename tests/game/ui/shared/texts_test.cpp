@@ -3,6 +3,7 @@
 #include "game/ui/play/commands/play_commands.hpp"
 #include "game/ui/play/play_parts.hpp"
 #include "game/ui/shared/commands/chord.hpp"
+#include "game/ui/shared/commands/menu_keys.hpp"
 #include "game/ui/shared/texts.hpp"
 #include "game/ui/shared/words.hpp"
 #include "puzzle/data/game_data.hpp"
@@ -79,6 +80,11 @@ std::set<std::string> spokenToPlayers() {
     }
     for (auto const& command : titleCommands()) {
         addCommand(command.info);
+    }
+    for (CommandList const& list : {menuCommands(), letterCommands()}) {
+        for (CommandInfo const* const command : list.commands) {
+            addCommand(*command);
+        }
     }
     for (Gesture const& gesture : playGestures()) {
         addPhrase(gesture.with);

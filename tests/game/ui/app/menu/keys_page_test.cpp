@@ -1,5 +1,5 @@
 // Assigning keys to commands: with the keyboard alone, and with the mouse for everything but the key itself.
-#include "tests/game/ui/player.hpp"
+#include "tests/game/ui/virtual_pad.hpp"
 
 #include <algorithm>
 
@@ -144,18 +144,139 @@ TEST_F(AssigningKeys, ByKeyboardAlone) {
     EXPECT_EQ(page(), MenuPage::help) << "back where it was opened";
 }
 
-TEST_F(AssigningKeys, EscapeKeepsItsMeaning) {
+// The key that leads back can be another one, but there always is one, and Esc ends the question for a key.
+TEST_F(AssigningKeys, BackMayBeAnotherKeyButNotNone) {
     player->key(SDLK_F1);
     player->frames(2);
     player->key(SDLK_DOWN);
     player->key(SDLK_RETURN);
     player->frames(2);
     press(SDLK_DOWN, rowOf("back"));
-    player->key(SDLK_RETURN);
-    EXPECT_FALSE(keysPage().waiting());
-    EXPECT_NE(keysPage().complaint().find("\"Back\""), std::string::npos) << keysPage().complaint();
     player->key(SDLK_DELETE);
+    EXPECT_NE(keysPage().complaint().find("\"Back\""), std::string::npos) << keysPage().complaint();
     EXPECT_EQ(keysOf("back"), "Escape");
+    player->key(SDLK_RETURN);
+    ASSERT_TRUE(keysPage().waiting());
+    player->key(SDLK_DOWN); // it moves things down in levels, and goes down in menus
+    EXPECT_NE(keysPage().complaint().find("\"Move down\""), std::string::npos) << keysPage().complaint();
+    player->key(SDLK_BACKSLASH);
+    EXPECT_EQ(keysOf("back"), "\\");
+    player->key(SDLK_ESCAPE);
+    EXPECT_EQ(page(), MenuPage::keys) << "Esc means nothing now";
+    player->key(SDLK_RETURN);
+    ASSERT_TRUE(keysPage().waiting());
+    player->key(SDLK_ESCAPE); // its usual key may be had again
+    EXPECT_EQ(keysOf("back"), "Escape");
+    player->key(SDLK_RETURN);
+    player->key(SDLK_BACKSLASH);
+    press(SDLK_UP, 1);
+    player->key(SDLK_RETURN);
+    ASSERT_TRUE(keysPage().waiting());
+    player->key(SDLK_ESCAPE);
+    EXPECT_FALSE(keysPage().waiting()) << "asked for a key of another command, the page gives up";
+    EXPECT_EQ(page(), MenuPage::keys);
+    player->key(SDLK_BACKSLASH);
+    EXPECT_EQ(page(), MenuPage::help);
+    player->key(SDLK_BACKSLASH);
+    EXPECT_FALSE(player->app().menu().isOpen());
+    player->key(SDLK_ESCAPE);
+    EXPECT_FALSE(player->app().menu().isOpen());
+    player->key(SDLK_BACKSLASH);
+    EXPECT_EQ(page(), MenuPage::main) << "in a level it opens the menu";
+}
+
+// Every key of menus and every button may be another one. The new ones work, the old ones do not, and the
+// mouse alone leads back to the defaults.
+TEST_F(AssigningKeys, MenusObeyTheirNewKeysAndTheMouseRestoresTheOldOnes) {
+    auto pad = std::make_unique<VirtualPad>();
+    if (!pad->works()) {
+        GTEST_SKIP() << "SDL has no virtual gamepads here: " << SDL_GetError();
+    }
+    player->frames(2);
+    openByMouse();
+    struct Choice {
+        char const* id;
+        SDL_Keycode key;
+        SDL_GameControllerButton button;
+    };
+    // SDL reports that the button Guide is let go only after it was held for a while, so it gets its events
+    // here.
+    auto const button = [&](SDL_GameControllerButton which) {
+        if (which != SDL_CONTROLLER_BUTTON_GUIDE) {
+            return pad->press(*player, which);
+        }
+        for (auto const type : {SDL_CONTROLLERBUTTONDOWN, SDL_CONTROLLERBUTTONUP}) {
+            SDL_Event event{};
+            event.type = type;
+            event.cbutton.button = static_cast<Uint8>(which);
+            event.cbutton.state = type == SDL_CONTROLLERBUTTONDOWN ? SDL_PRESSED : SDL_RELEASED;
+            render::synthetic::push(event);
+            player->frames(2);
+        }
+    };
+    auto const choose = [&](std::initializer_list<Choice> choices) {
+        for (Choice const& choice : choices) {
+            std::string const row = "key of " + std::string(choice.id);
+            player->scrollTo("key bindings", row);
+            player->clickItem(row);
+            player->key(choice.key);
+            EXPECT_FALSE(keysPage().waiting()) << choice.id << ": " << keysPage().complaint();
+            player->clickItem(row);
+            button(choice.button);
+            EXPECT_FALSE(keysPage().waiting()) << choice.id << ": " << keysPage().complaint();
+        }
+    };
+    choose({{"back", SDLK_BACKSLASH, SDL_CONTROLLER_BUTTON_GUIDE},
+            {"menu-up", SDLK_i, SDL_CONTROLLER_BUTTON_RIGHTSTICK},
+            {"menu-down", SDLK_k, SDL_CONTROLLER_BUTTON_LEFTSTICK},
+            {"menu-press", SDLK_p, SDL_CONTROLLER_BUTTON_BACK}});
+    player->look("keys-of-menus-720");
+    start(); // they are kept
+    pad.reset();
+    pad = std::make_unique<VirtualPad>(); // plugged into the new program
+    player->frames(2);
+    EXPECT_EQ(keysOf("menu-down"), "K");
+    auto const settingsBy = [&](auto const& down, auto const& press, auto const& back) {
+        back();
+        EXPECT_EQ(page(), MenuPage::main);
+        player->moveTo({600, 5}); // hides the ring, which the first key shows again
+        player->moveTo({605, 5});
+        for (int i = 0; i < 5 && page() == MenuPage::main; ++i) {
+            down();
+        }
+        press();
+        bool const there = page() == MenuPage::settings;
+        for (int i = 0; i < 2 && there; ++i) { // to the menu, and out of it
+            back();
+        }
+        EXPECT_FALSE(there && player->app().menu().isOpen());
+        return there;
+    };
+    EXPECT_TRUE(settingsBy([&] { player->key(SDLK_k); }, [&] { player->key(SDLK_p); },
+                           [&] { player->key(SDLK_BACKSLASH); }));
+    EXPECT_TRUE(settingsBy([&] { button(SDL_CONTROLLER_BUTTON_LEFTSTICK); },
+                           [&] { button(SDL_CONTROLLER_BUTTON_BACK); },
+                           [&] { button(SDL_CONTROLLER_BUTTON_GUIDE); }));
+    player->key(SDLK_BACKSLASH);
+    ASSERT_EQ(page(), MenuPage::main);
+    for (SDL_Keycode const old : {SDLK_DOWN, SDLK_RETURN, SDLK_SPACE, SDLK_ESCAPE}) {
+        player->key(old);
+    }
+    for (auto const old :
+         {SDL_CONTROLLER_BUTTON_DPAD_DOWN, SDL_CONTROLLER_BUTTON_A, SDL_CONTROLLER_BUTTON_B}) {
+        button(old);
+    }
+    EXPECT_EQ(page(), MenuPage::main) << "the old keys mean nothing";
+    player->clickItem("menu.settings");
+    player->frames(3);
+    player->clickItem("Change the keys");
+    player->frames(3);
+    player->clickItem("reset keys");
+    EXPECT_TRUE(player->app().context().keys.isDefault());
+    for (int i = 0; i < 3; ++i) {
+        player->key(SDLK_ESCAPE);
+    }
+    EXPECT_FALSE(player->app().menu().isOpen());
 }
 
 TEST_F(AssigningKeys, TheListIsTidyAtEverySize) {

@@ -74,6 +74,35 @@ TEST(EditorFields, AnEmptyListIsBegun) {
     EXPECT_EQ(shapesOf().size(), 0U);
 }
 
+TEST(EditorFields, SeveralObjectsAreChangedAtOnceInOneStep) {
+    Designer designer;
+    designer.editText(shapes);
+    std::string const before = designer.parts().document.text();
+    designer.parts().selection.set({"post", "arm"});
+    designer.key(SDLK_F4);
+    designer.frames(2);
+    designer.seek("material");
+    designer.clickItem("material");
+    designer.frames(2);
+    designer.clickItem("material = iron");
+    designer.frames(2);
+    for (char const* const name : {"post", "arm"}) {
+        EXPECT_EQ((*edit::findObject(designer.tree(), name))["properties"]["material"], "iron") << name;
+    }
+    EXPECT_EQ(designer.parts().selected().size(), 2U) << "they are still selected";
+    EXPECT_EQ(designer.parts().document.done(), 1U);
+    designer.seek("at x");
+    designer.drag(designer.item("at x"), designer.item("at x") + Point{40, 0});
+    Vec2 const post = designer.placeOf("post");
+    EXPECT_EQ(designer.placeOf("arm").x, post.x) << "where the values differed, both have the new one";
+    EXPECT_EQ(designer.placeOf("arm").y, 1.4) << "each keeps its height";
+    EXPECT_EQ(post.y, 1);
+    EXPECT_EQ(designer.parts().document.done(), 2U);
+    designer.ctrl(SDLK_z);
+    designer.ctrl(SDLK_z);
+    EXPECT_EQ(designer.parts().document.text(), before);
+}
+
 TEST(EditorFields, AModThatIsNowhereIsTakenOut) {
     Designer designer;
     designer.editText(R"({"version": 2, "title": "Modded", "mods": ["of yesterday"], "objects": []})");

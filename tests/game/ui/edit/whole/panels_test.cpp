@@ -196,7 +196,7 @@ TEST(EditorPanels, EveryCommandRunsByItsKeyAndUndoBringsTheFileBack) {
     designer.parts().selection.set({"iron ball"});
     designer.key(SDLK_LEFT);
     for (Command<EditParts> const& command : editCommands()) {
-        if (command.info.keys[0].key == SDLK_UNKNOWN || command.info.fixed ||
+        if (command.info.keys[0].key == SDLK_UNKNOWN || command.info.leads ||
             command.info.id == "fullscreen") {
             continue;
         }

@@ -145,7 +145,25 @@ TEST(Commands, UsualKeysStayAsTheyAre) {
                                                    {"watch-past", "O"},
                                                    {"probe", "F4"},
                                                    {"loop-past", "J"},
-                                                   {"continue-here", "U"}};
+                                                   {"continue-here", "U"},
+                                                   {"menu-up", "Up"},
+                                                   {"menu-down", "Down"},
+                                                   {"menu-left", "Left"},
+                                                   {"menu-right", "Right"},
+                                                   {"menu-press", "Return Space Keypad Enter"},
+                                                   {"menu-next", "Tab"},
+                                                   {"menu-before", "Shift+Tab"},
+                                                   {"menu-type", ""},
+                                                   {"menu-erase", "Delete"},
+                                                   {"menu-page-next", ""},
+                                                   {"menu-page-before", ""},
+                                                   {"letters-erase", ""},
+                                                   {"letters-space", ""},
+                                                   {"letters-left", ""},
+                                                   {"letters-right", ""},
+                                                   {"letters-capitals", ""},
+                                                   {"letters-signs", ""},
+                                                   {"letters-done", ""}};
     std::map<std::string, std::string> now;
     for (CommandInfo const* command : bindings.commands()) {
         if (command->id.starts_with("edit-")) {

@@ -98,6 +98,39 @@ TEST(SoundInTheWindow, EveryTouchIsHeardUnlessThatIsSwitchedOff) {
     EXPECT_EQ(heard.touches, 4);
 }
 
+TEST(SoundInTheWindow, EveryButtonIsHeardOnce) {
+    Heard heard;
+    Loudspeaker loudspeaker({}, std::make_unique<Ear>(heard));
+    Player player(small, {}, levelsFolder(), &loudspeaker);
+    player.clickItem("settings");
+    EXPECT_EQ(heard.touches, 1) << "a button of the title";
+    player.click({5, 5}); // beside all buttons
+    EXPECT_EQ(heard.touches, 1);
+    player.frames(2);
+    player.key(SDLK_DOWN);
+    EXPECT_EQ(heard.touches, 1) << "the ring moves without a sound";
+    player.key(SDLK_RETURN);
+    EXPECT_EQ(heard.touches, 2) << "a button pressed by a key";
+    player.key(SDLK_ESCAPE);
+    player.frames(2);
+    player.clickItem("editor");
+    player.frames(3);
+    EXPECT_EQ(heard.touches, 3);
+    player.key(SDLK_2);
+    player.key(SDLK_2);
+    EXPECT_EQ(heard.touches, 4) << "an object is placed";
+    player.key(SDLK_6);
+    player.key(SDLK_7);
+    player.key(SDLK_7); // a wire needs two objects
+    EXPECT_EQ(heard.touches, 4) << "news are no refusal";
+    Settings settings = player.app().context().profile.settings();
+    settings.touches = 0;
+    changeSettings(player.app().context(), settings);
+    player.key(SDLK_3);
+    player.key(SDLK_3);
+    EXPECT_EQ(heard.touches, 4) << "switched off";
+}
+
 TEST(SoundInTheWindow, ARingingObjectDiesAwayInAPause) {
     Heard heard;
     Loudspeaker loudspeaker({}, std::make_unique<Ear>(heard));

@@ -36,7 +36,7 @@ TEST(Keys, ModifiersCountWhereACommandNamesThem) {
     EXPECT_EQ(after({keyDown(SDLK_w, KMOD_LCTRL)}), Done{});
     EXPECT_EQ(after({keyDown(SDLK_j, KMOD_LCTRL | KMOD_LSHIFT)}), (Done{{"j", 1}}));
     EXPECT_EQ(after({keyDown(SDLK_ESCAPE, KMOD_LCTRL)}), (Done{{"l", 1}}))
-        << "a fixed key works with any modifier";
+        << "a key that leads back works with any modifier";
 }
 
 TEST(Keys, RepeatOnlyForRepeatingCommands) {

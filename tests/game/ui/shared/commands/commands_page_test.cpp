@@ -25,7 +25,7 @@ TEST(CommandsPage, ReachesEveryCommandOfALevel) {
             bool const before =
                 info.group < commands.info(commands.indexOf(id)).group ||
                 (info.group == commands.info(commands.indexOf(id)).group && i < commands.indexOf(id));
-            row += before && commands.available(i) && !info.fixed && info.use != KeyUse::held ? 1U : 0U;
+            row += before && commands.available(i) && !info.leads && info.use != KeyUse::held ? 1U : 0U;
         }
         for (std::size_t i = 0; i < row; ++i) {
             player.key(padKey(SDL_CONTROLLER_BUTTON_DPAD_DOWN));

@@ -60,7 +60,7 @@ protected:
             CommandInfo const& info = commands.info(i);
             bool const before =
                 info.group < wanted.group || (info.group == wanted.group && i < commands.indexOf(id));
-            row += before && commands.available(i) && !info.fixed && info.use != KeyUse::held ? 1 : 0;
+            row += before && commands.available(i) && !info.leads && info.use != KeyUse::held ? 1 : 0;
         }
         press(SDL_CONTROLLER_BUTTON_DPAD_DOWN, row);
         press(SDL_CONTROLLER_BUTTON_A);
