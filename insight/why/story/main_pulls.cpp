@@ -8,6 +8,7 @@
 #include <utility>
 
 namespace trembler::insight {
+namespace main_pulls {
 namespace {
 
 /// Of a pull and a push by the same magnet, one that is weaker than this share of the other is left out.
@@ -20,6 +21,7 @@ constexpr double leastShareOfAll = 0.05;
 constexpr double leastAcceleration = 0.01;
 
 } // namespace
+} // namespace main_pulls
 
 MainPulls::Body MainPulls::bodyOf(std::string const& name, Groups const& tied) {
     auto const at = tied.find(name);
@@ -41,7 +43,7 @@ void MainPulls::look(World const& world, Groups const& tied) {
     for (MagneticForce::Action const& action : magnetic->actions) {
         std::string const by = world.store().nameOf(action.by);
         Mass const* const mass = world.find<Mass>(action.object);
-        if (mass != nullptr && action.force < leastAcceleration * mass->value) {
+        if (mass != nullptr && action.force < main_pulls::leastAcceleration * mass->value) {
             continue;
         }
         // That iron pulls the magnet that pulls it is told by the magnet's pull.
@@ -70,9 +72,9 @@ void MainPulls::look(World const& world, Groups const& tied) {
         double const pull = most.pull == nullptr ? 0 : most.pull->force;
         double const push = most.push == nullptr ? 0 : most.push->force;
         Since since{world.frame(), {}, {}, true, false};
-        since.pull = pull > leastShare * push ? most.pull->event : EventId{};
-        since.push = push > leastShare * pull ? most.push->event : EventId{};
-        since.weak = std::max(pull, push) < leastShareOfAll * greatest[key.first];
+        since.pull = pull > main_pulls::leastShare * push ? most.pull->event : EventId{};
+        since.push = push > main_pulls::leastShare * pull ? most.push->event : EventId{};
+        since.weak = std::max(pull, push) < main_pulls::leastShareOfAll * greatest[key.first];
         std::vector<Since>& history = histories_[key];
         if (history.empty() || !history.back().acting || history.back().pull != since.pull ||
             history.back().push != since.push || history.back().weak != since.weak) {
