@@ -37,9 +37,9 @@ Vec2 padDirection(UiContext const& context) {
 }
 
 /// The buttons of a gamepad, by default, whose commands act while a card has the keyboard.
-constexpr std::array leadingButtons{render::padKey(SDL_CONTROLLER_BUTTON_START),
-                                    render::padKey(SDL_CONTROLLER_BUTTON_LEFTSHOULDER),
-                                    render::padKey(SDL_CONTROLLER_BUTTON_RIGHTSHOULDER)};
+constexpr std::array leadingButtonsOfPlay{render::padKey(SDL_CONTROLLER_BUTTON_START),
+                                          render::padKey(SDL_CONTROLLER_BUTTON_LEFTSHOULDER),
+                                          render::padKey(SDL_CONTROLLER_BUTTON_RIGHTSHOULDER)};
 
 } // namespace
 
@@ -148,7 +148,7 @@ void PlayScreen::handleKeysBesideCard() {
     std::vector<SDL_Event> events;
     std::copy_if(context.input.events().begin(), context.input.events().end(), std::back_inserter(events),
                  [&](SDL_Event const& event) {
-                     return passesWidgets(event, context.keys, commands_, leadingButtons);
+                     return passesWidgets(event, context.keys, commands_, leadingButtonsOfPlay);
                  });
     bool const dropDown = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
     if (std::exchange(dropDownWasOpen_, dropDown) || dropDown || context.gui.wantsKeyboard()) {
