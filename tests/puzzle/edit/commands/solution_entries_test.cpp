@@ -19,14 +19,14 @@ Json withTwoBalls() {
     return level;
 }
 
-Json done(Json tree, Command const& command) {
+Json changedBy(Json tree, Command const& command) {
     command.change(tree);
     return tree;
 }
 
 TEST(SolutionEntries, AreAddedChangedAndRemoved) {
     Json const level = Json::parse(smallLevel());
-    Json const placed = done(
+    Json const placed = changedBy(
         level, addSolutionEntry(level, "wait", "placements", Json{{"part", "steel ball"}, {"at", {1, 2}}}));
     Json const& solution = placed["solutions"][0];
     EXPECT_EQ(solution["placements"].size(), 1U);
@@ -34,11 +34,11 @@ TEST(SolutionEntries, AreAddedChangedAndRemoved) {
     EXPECT_EQ(std::next(solution.begin()).key(), "placements") << "at its usual place";
     EXPECT_EQ(placedNames(placed, "wait"), std::vector<std::string>{"steel ball 1"});
     Json const turned =
-        done(placed, setSolutionEntry(placed, "wait", "placements", 0,
-                                      Json{{"part", "steel ball"}, {"at", {1, 2}}, {"angle_deg", 5}}));
+        changedBy(placed, setSolutionEntry(placed, "wait", "placements", 0,
+                                           Json{{"part", "steel ball"}, {"at", {1, 2}}, {"angle_deg", 5}}));
     EXPECT_EQ(turned["solutions"][0]["placements"][0]["angle_deg"], 5);
-    EXPECT_EQ(done(placed, removeSolutionEntry(placed, "wait", "placements", 0)), level);
-    Json const ordered = done(level, moveSolutionEntry(level, "wait", "inputs", 1, 0));
+    EXPECT_EQ(changedBy(placed, removeSolutionEntry(placed, "wait", "placements", 0)), level);
+    Json const ordered = changedBy(level, moveSolutionEntry(level, "wait", "inputs", 1, 0));
     EXPECT_EQ(ordered["solutions"][0]["inputs"][0]["release"], true);
     for (auto const& refused :
          {refusalOf([&] { return addSolutionEntry(level, "none", "inputs", Json::object()); }),
@@ -54,13 +54,13 @@ TEST(SolutionEntries, FollowTheNamesOfPlacedObjects) {
     Json const level = withTwoBalls();
     EXPECT_EQ(placedNames(level, "wait"), (std::vector<std::string>{"steel ball 1", "steel ball 2"}));
     // The first ball is moved to the right of the other one, and so becomes the second.
-    Json const moved = done(level, setSolutionEntry(level, "wait", "placements", 0,
-                                                    Json{{"part", "steel ball"}, {"at", {3, 2}}}));
+    Json const moved = changedBy(level, setSolutionEntry(level, "wait", "placements", 0,
+                                                         Json{{"part", "steel ball"}, {"at", {3, 2}}}));
     EXPECT_EQ(placedNames(moved, "wait"), (std::vector<std::string>{"steel ball 2", "steel ball 1"}));
     EXPECT_EQ(moved["solutions"][0]["wires"], Json::array({Json::array({"steel ball 2", "left"})}));
     EXPECT_EQ(moved["solutions"][0]["inputs"][0]["grab"], "steel ball 1");
     // The wire of a ball that is removed goes with it; the other ball is the only one now.
-    Json const one = done(level, removeSolutionEntry(level, "wait", "placements", 0));
+    Json const one = changedBy(level, removeSolutionEntry(level, "wait", "placements", 0));
     EXPECT_FALSE(one["solutions"][0].contains("wires"));
     EXPECT_EQ(one["solutions"][0]["inputs"][0]["grab"], "steel ball 1");
     EXPECT_EQ(one["solutions"][0]["inputs"].size(), 2U);
