@@ -135,7 +135,7 @@ TEST(WhyMotor, FourSpokesTurnItInTheSameWay) {
 
 // Held and let go, it starts again because the base magnet turns a spoke to the contact.
 TEST(WhyMotor, TheBaseMagnetStartsItAgain) {
-    Answer const answer = answerIn("3b-four-spokes", "hold the axis");
+    Answer const answer = answerIn("3b-four-spokes", "hold the axle");
     ASSERT_TRUE(answer.happened);
     expectChain(answer, {{StepKind::push, {"base magnet"}},
                          {StepKind::contact, {"sliding contact"}},
@@ -143,7 +143,7 @@ TEST(WhyMotor, TheBaseMagnetStartsItAgain) {
                          {StepKind::magnetOn, {"upper electromagnet"}},
                          {StepKind::goal, {"spoke 1"}}});
     expectChain(answer, {{StepKind::grabbed, {"spoke 1"}}, {StepKind::goal, {"spoke 1"}}});
-    Answer const held = answerIn("3b-four-spokes", "hold the axis", {}, 0, true);
+    Answer const held = answerIn("3b-four-spokes", "hold the axle", {}, 0, true);
     ASSERT_TRUE(held.happened);
     expectChain(held, {{StepKind::grabbed, {"spoke 1"}}, {StepKind::goal, {"spoke 1"}}});
 }
@@ -170,7 +170,7 @@ TEST(WhyMotor, WithoutTheBaseMagnetItNeedsAPush) {
     Answer const pushed = answerIn("3c-no-base-magnet", "give it a push");
     ASSERT_TRUE(pushed.happened);
     EXPECT_TRUE(pushed.confirmed) << told(pushed);
-    expectChain(pushed, {{StepKind::grabbed, {"main axis"}}, {StepKind::goal, {"spoke 1"}}});
+    expectChain(pushed, {{StepKind::grabbed, {"main axle"}}, {StepKind::goal, {"spoke 1"}}});
     Answer const rests = answerIn("3c-no-base-magnet", "nothing but a wooden bar");
     EXPECT_FALSE(rests.happened);
 }
