@@ -212,13 +212,13 @@ struct MagneticForce {
     };
     struct Brake {
         ObjectId object;
-        Vec2 point;         ///< m, its centre of mass, in the world
+        Vec2 centre;        ///< m, its centre of mass, in the world
         double angular = 0; ///< kg m²/s: the torque is -angular times the angular velocity
         template <class Self, class Visitor>
         static void describe(Self& self, Visitor&& visit) {
             visit(FieldInfo{.key = "object", .unit = "", .meaning = "the object that turns"}, self.object);
-            visit(FieldInfo{.key = "point", .unit = "m", .meaning = "its centre of mass, in the world"},
-                  self.point);
+            visit(FieldInfo{.key = "centre", .unit = "m", .meaning = "of its mass, in the world"},
+                  self.centre);
             visit(FieldInfo{.key = "angular",
                             .unit = "kg m²/s",
                             .meaning = "the torque is -angular times the angular velocity"},

@@ -30,7 +30,7 @@ public:
         }
         for (MagneticForce::Brake const& brake : access.read<MagneticForce>().brakes) {
             if (!fixed.has(brake.object)) {
-                access.call(AddDrag{.object = brake.object, .point = brake.point, .angular = brake.angular});
+                access.call(AddDrag{.object = brake.object, .point = brake.centre, .angular = brake.angular});
             }
         }
         access.forChunks(forces.size(), [&](Caller& caller, std::size_t begin, std::size_t end) {

@@ -13,7 +13,7 @@ return interaction {
     end
     for _, brake in ipairs(force.brakes) do
       if alive(brake.object) and not brake.object.fixed then
-        out.addDrag(brake.object, brake.point, 0, 0, 0, brake.angular)
+        out.addDrag(brake.object, brake.centre, 0, 0, 0, brake.angular)
       end
     end
     for _, entry in ipairs(force.forces) do
