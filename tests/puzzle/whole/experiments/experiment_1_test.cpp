@@ -1,6 +1,5 @@
 // Experiment I, the switched electromagnet: the thesis's account of frames (6.8.3) and the four features that
 // its conventional script lacked (6.8.4).
-#include "physics/dynamics/properties/body.hpp"
 #include "physics/dynamics/properties/contacts.hpp"
 #include "physics/electricity/properties/electrical.hpp"
 #include "physics/magnetism/properties.hpp"
