@@ -40,8 +40,8 @@ TEST_P(Sleep, APileComesToRest) {
     EXPECT_EQ(scene.dynamics(), Activity::asleep);
 }
 
-// As a magnet does that is pulled at one of its poles: the torque gives its far end a speed in each substep that
-// looks like an impact, and must not make it bounce for ever.
+// As a magnet does that is pulled at one of its poles: the torque gives its far end a speed in each substep
+// that looks like an impact, and must not make it bounce for ever.
 TEST_P(Sleep, ABarThatIsPressedFarFromItsMiddleStopsBouncing) {
     for (double const at : {0.05, 0.12, 0.17}) {
         Scene scene;
