@@ -4,6 +4,7 @@
 #include "render/draw/palette.hpp"
 #include "render/panels/icons.hpp"
 #include "render/panels/theme.hpp"
+#include "render/window/gamepad.hpp"
 
 #include <imgui_internal.h>
 
