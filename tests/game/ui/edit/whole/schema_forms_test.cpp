@@ -143,6 +143,10 @@ public:
             }
         }
         for (std::string const& item : items) {
+            if (!designer_.shows(
+                    item)) { // a level that takes long to be read, as on a busy machine, is read later
+                designer_.frames(pause);
+            }
             if (designer_.shows(item)) {
                 use(item);
             }
@@ -168,6 +172,9 @@ public:
             takeBack();
         }
     }
+
+    /// Pictures after which the editor has read and checked the level, however long that takes.
+    static constexpr int pause = 20;
 
 private:
     static std::string kindOf(std::string name) {
@@ -308,6 +315,7 @@ TEST(SchemaForms, SetWhateverALevelFileMayState) {
     designer.parts().tab = Tab::solutions;
     designer.frames(2);
     every.usePage(Tab::solutions);
+    designer.frames(EveryWidget::pause);
     designer.clickItem("solution 0 entries");
     every.usePage(Tab::solutions);
     every.runEveryCommand();
