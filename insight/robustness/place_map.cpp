@@ -2,6 +2,7 @@
 
 #include "insight/trial/solution_text.hpp"
 #include "insight/trial/trial.hpp"
+#include "puzzle/session/zone.hpp"
 
 #include <fmt/format.h>
 
@@ -34,32 +35,17 @@ struct Reach {
 };
 
 /// What surrounds all areas for placing, or else the level's bounds; nothing if there are neither.
-std::optional<std::pair<Vec2, Vec2>> surroundings(LevelFile const& level) {
-    std::vector<Vec2> corners;
-    auto const add = [&](Box const& box) {
-        corners.push_back(box.corner);
-        corners.push_back(box.corner + box.size);
-    };
+std::optional<Bounds> surroundings(LevelFile const& level) {
+    std::optional<Bounds> all;
     for (Area const& area : level.placing.value_or(std::vector<Area>{})) {
-        if (area.box) {
-            add(*area.box);
+        Bounds const own = boundsOf(area);
+        if (all) {
+            all->include(own);
         } else {
-            corners.insert(corners.end(), area.corners.begin(), area.corners.end());
+            all = own;
         }
     }
-    if (corners.empty() && level.bounds) {
-        add(*level.bounds);
-    }
-    if (corners.empty()) {
-        return std::nullopt;
-    }
-    Vec2 least = corners.front();
-    Vec2 most = corners.front();
-    for (Vec2 const corner : corners) {
-        least = {std::min(least.x, corner.x), std::min(least.y, corner.y)};
-        most = {std::max(most.x, corner.x), std::max(most.y, corner.y)};
-    }
-    return std::pair(least, most);
+    return all || !level.bounds ? all : boundsOf(Area{level.bounds, {}});
 }
 
 /// A map that grows.
@@ -69,7 +55,7 @@ public:
         : options_(options) {
         Vec2 const at = placement.at;
         auto const [low, high] =
-            surroundings(level).value_or(std::pair(at - Vec2{around, around}, at + Vec2{around, around}));
+            surroundings(level).value_or(Bounds{at - Vec2{around, around}, at + Vec2{around, around}});
         auto const steps = [&](double metres) { return static_cast<int>(std::floor(metres / options.step)); };
         reach_ = {{-steps(at.x - low.x), -steps(at.y - low.y)}, {steps(high.x - at.x), steps(high.y - at.y)}};
         while (coarseCells(coarse_).size() > std::max<std::size_t>(1, options.places / 4)) {

@@ -18,18 +18,12 @@ constexpr int placesTried = 64;
 constexpr std::size_t mostRandomParts = 4;
 constexpr std::size_t turns = 24; // of 15 degrees each
 
-Box boxAround(std::vector<Vec2> const& points) {
-    Vec2 low = points.front();
-    Vec2 high = points.front();
-    for (Vec2 const p : points) {
-        low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-        high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-    }
-    return {low, high - low};
+Box boxOf(Bounds const& bounds) {
+    return {bounds.lower, bounds.upper - bounds.lower};
 }
 
 Box boxAround(Area const& area) {
-    return area.box ? *area.box : boxAround(area.corners);
+    return area.box ? *area.box : boxOf(boundsOf(area));
 }
 
 Box boxAround(World const& world) {
@@ -41,7 +35,7 @@ Box boxAround(World const& world) {
     if (corners.empty()) {
         corners.emplace_back();
     }
-    Box const box = boxAround(corners);
+    Box const box = boxOf(boundsOf(corners));
     return {box.corner - Vec2{1, 1}, box.size + Vec2{2, 2}};
 }
 

@@ -16,40 +16,13 @@
 namespace trembler {
 namespace {
 
-/// A rectangle by two corners, m.
-struct Reach {
-    Vec2 low;
-    Vec2 high;
-
-    [[nodiscard]] bool meets(Reach const& other) const {
-        return low.x <= other.high.x && other.low.x <= high.x && low.y <= other.high.y &&
-               other.low.y <= high.y;
-    }
-};
-
-Reach reachOf(Box const& box) {
-    return {box.corner, box.corner + box.size};
-}
-
-Reach reachOf(Area const& area) {
-    if (area.box) {
-        return reachOf(*area.box);
-    }
-    Reach reach{area.corners.front(), area.corners.front()};
-    for (Vec2 const corner : area.corners) {
-        reach.low = {std::min(reach.low.x, corner.x), std::min(reach.low.y, corner.y)};
-        reach.high = {std::max(reach.high.x, corner.x), std::max(reach.high.y, corner.y)};
-    }
-    return reach;
-}
-
 class ReachCheck {
 public:
     ReachCheck(GameData const& data, LevelFile const& level, World const& world, Problems& problems)
         : data_(data), level_(level), world_(world), problems_(problems) {}
 
     void checkObjects() {
-        Reach const bounds = reachOf(*level_.bounds);
+        Bounds const bounds = boundsOf(Area{level_.bounds, {}});
         for (LevelObject const& object : level_.objects) {
             ObjectId const id = world_.store().find(object.name);
             auto const placed = placedShapeOf(world_.store(), id);
@@ -66,10 +39,10 @@ public:
     }
 
     void checkAreas() {
-        Reach const bounds = reachOf(*level_.bounds);
+        Bounds const bounds = boundsOf(Area{level_.bounds, {}});
         std::size_t const count = level_.placing ? level_.placing->size() : 0;
         for (std::size_t i = 0; i < count; ++i) {
-            if (!bounds.meets(reachOf((*level_.placing)[i]))) {
+            if (!bounds.meets(boundsOf((*level_.placing)[i]))) {
                 complain(fmt::format("/placing/{}", i),
                          "this area for placing lies outside the bounds of the level",
                          "an area within \"bounds\"");
@@ -127,12 +100,12 @@ private:
     }
 
     [[nodiscard]] bool hasRoomIn(Area const& area, std::string const& part, double angle, int steps) const {
-        Reach const reach = reachOf(area);
-        Vec2 const size = reach.high - reach.low;
+        Bounds const reach = boundsOf(area);
+        Vec2 const size = reach.upper - reach.lower;
         for (int i = 0; i < steps; ++i) {
             for (int j = 0; j < steps; ++j) {
                 Placement placement{part, {}, angle, {}};
-                placement.at = reach.low + Vec2{size.x * (i + 0.5) / steps, size.y * (j + 0.5) / steps};
+                placement.at = reach.lower + Vec2{size.x * (i + 0.5) / steps, size.y * (j + 0.5) / steps};
                 if (area.contains(placement.at) && !whyItSticksOut(level_, data_.parts, placement) &&
                     !whyItDoesNotFit(world_, data_.parts, placement, {})) {
                     return true;
@@ -142,8 +115,8 @@ private:
         return false;
     }
 
-    void checkGoal(Condition const& condition, Reach const& bounds) {
-        if (condition.area && !bounds.meets(reachOf(*condition.area))) {
+    void checkGoal(Condition const& condition, Bounds const& bounds) {
+        if (condition.area && !bounds.meets(boundsOf(*condition.area))) {
             complain(condition.path, "the area of this goal lies outside the bounds of the level",
                      "an area within \"bounds\", or larger bounds");
         }

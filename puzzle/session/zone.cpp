@@ -72,10 +72,6 @@ bool isNear(Area const& area, Vec2 p, double allowed) {
     return false;
 }
 
-Bounds aroundArea(Area const& area) {
-    return area.box ? Bounds{area.box->corner, area.box->corner + area.box->size} : boundsOf(area.corners);
-}
-
 /// The areas that any point of the outlines can be near to, so that the many points of an outline are
 /// compared with few of a level's areas.
 std::vector<Area const*> areasNear(std::span<Area const> areas,
@@ -93,7 +89,7 @@ std::vector<Area const*> areasNear(std::span<Area const> areas,
     around = {around.lower - more, around.upper + more};
     for (Area const& area : areas) {
         bool const any = area.box || !area.corners.empty();
-        if (any && aroundArea(area).meets(around)) {
+        if (any && boundsOf(area).meets(around)) {
             close.push_back(&area);
         }
     }
@@ -101,6 +97,10 @@ std::vector<Area const*> areasNear(std::span<Area const> areas,
 }
 
 } // namespace
+
+Bounds boundsOf(Area const& area) {
+    return area.box ? Bounds{area.box->corner, area.box->corner + area.box->size} : boundsOf(area.corners);
+}
 
 bool liesWithin(PlacedShape const& placed, std::span<Area const> areas, double allowed) {
     std::vector<std::vector<Vec2>> outlines;

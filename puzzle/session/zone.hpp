@@ -1,6 +1,7 @@
 // Whether a part lies wholly where a level allows parts.
 #pragma once
 
+#include "physics/box_tree.hpp"
 #include "physics/dynamics/properties/shapes/overlap.hpp"
 #include "runtime/level/model/level.hpp"
 #include "runtime/level/model/part_library.hpp"
@@ -14,6 +15,9 @@ namespace trembler {
 /// How far, in m, a part may stick out of the areas for placing: as far as two placed parts may overlap, and
 /// for the same reason.
 inline constexpr double allowedOutside = 0.01;
+
+/// The rectangle around an area; a polygon must have corners.
+[[nodiscard]] Bounds boundsOf(Area const& area);
 
 /// Whether the whole outline of a placed shape lies in the areas together, or outside them by no more than
 /// `allowed` (m). The outline is looked at in steps of 2 cm (of a very large shape: a thousandth of its

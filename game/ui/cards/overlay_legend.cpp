@@ -19,7 +19,6 @@ using namespace render;
 // Pixels at UI scale 1.
 constexpr float signWidth = 92;
 constexpr float rowHeight = 19;
-constexpr float forceDecade = 20; // as drawMagneticForces and drawBuoyancy draw them
 
 enum class LegendSign { line, dashes, arrow, mark };
 
@@ -78,7 +77,7 @@ void drawLegendRow(LegendRow const& row) {
 }
 
 float forceLength(double newtons) {
-    return static_cast<float>(arrowLength(newtons, static_cast<double>(forceDecade)));
+    return static_cast<float>(arrowLength(newtons, forceDecade));
 }
 
 } // namespace
@@ -107,7 +106,7 @@ void drawOverlayLegend(Layout& layout, Shown const& shown, float below) {
     }
     if (shown.contacts) {
         drawLegendRow({LegendSign::mark, palette::contact, 11, 1, text("objects touch")});
-        auto const push = static_cast<float>(contactArrowLength(1, 16));
+        auto const push = static_cast<float>(contactArrowLength(1, contactArrowUnit));
         drawLegendRow({LegendSign::arrow, palette::contact, push, 3, text("push of 1 N s")});
     }
     ImGui::PopFont();

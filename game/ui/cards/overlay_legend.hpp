@@ -6,10 +6,9 @@
 
 namespace trembler::ui {
 
-/// Draws the card "legend" above the tools, a row for each sign of the overlays that are shown, arrows in the
-/// length that they have in the scene; nothing if none is shown, or the
-/// window is so low that the goal takes the room. `below`: height of what lies between it and
-/// the row of tools, pixels at UI scale 1.
+/// Draws the card "legend" above the tools: a row for each sign of the overlays that are shown, with arrows
+/// in the length that they have in the scene; nothing if none is shown, or if the window is so low that the
+/// goal takes the room. `below`: height of what lies between it and the row of tools, pixels at UI scale 1.
 void drawOverlayLegend(Layout& layout, Shown const& shown, float below);
 
 } // namespace trembler::ui

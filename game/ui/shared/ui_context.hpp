@@ -51,7 +51,7 @@ struct UiContext {
     SavedSolutions solutions;
     ScreenKeyboard letters{};
     Loudspeaker* loudspeaker = nullptr; ///< nullptr: no sound
-    std::filesystem::path edited{};     ///< folder of the level that was saved or opened last in the editor
+    std::filesystem::path edited{};     ///< folder of the level that the editor saved last
     bool shadows = true;                ///< soft shadows, if the settings and the graphics driver allow them
 
     [[nodiscard]] bool shiftHeld() const { return (input.modifiers() & KMOD_SHIFT) != 0; }

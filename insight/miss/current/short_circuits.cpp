@@ -8,6 +8,7 @@
 #include "physics/motor/properties.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <set>
 #include <string>
 
@@ -53,10 +54,8 @@ bool reachesReturn(World const& world, ObjectId source, std::string const& netwo
     return false;
 }
 
-} // namespace
-} // namespace short_circuits
-
-std::vector<ObjectId> shortCircuits(World const& world) {
+/// Ascending; of one circuit only, if one is given.
+std::vector<ObjectId> shorted(World const& world, std::optional<ObjectId> circuit) {
     std::vector<ObjectId> all;
     auto const* const quantities = world.find<ElectricalQuantities>();
     auto const* const sources = world.store().findColumn<ElectricalSource>();
@@ -65,8 +64,8 @@ std::vector<ObjectId> shortCircuits(World const& world) {
     }
     for (ObjectId const id : sources->owners()) {
         auto const* const entry = quantities->find(id);
-        if (entry != nullptr && entry->current > 0 &&
-            short_circuits::reachesReturn(world, id, sources->find(id)->network)) {
+        if (entry != nullptr && entry->current > 0 && (!circuit || entry->circuit == *circuit) &&
+            reachesReturn(world, id, sources->find(id)->network)) {
             all.push_back(id);
         }
     }
@@ -74,18 +73,19 @@ std::vector<ObjectId> shortCircuits(World const& world) {
     return all;
 }
 
+} // namespace
+} // namespace short_circuits
+
+std::vector<ObjectId> shortCircuits(World const& world) {
+    return short_circuits::shorted(world, std::nullopt);
+}
+
 ObjectId shortCircuitBeside(World const& world, ObjectId object) {
     auto const* const quantities = world.find<ElectricalQuantities>();
     auto const* const own = quantities == nullptr ? nullptr : quantities->find(object);
-    if (own == nullptr) {
-        return {};
-    }
-    for (ObjectId const source : shortCircuits(world)) {
-        if (quantities->find(source)->circuit == own->circuit) {
-            return source;
-        }
-    }
-    return {};
+    auto const sources =
+        own == nullptr ? std::vector<ObjectId>() : short_circuits::shorted(world, own->circuit);
+    return sources.empty() ? ObjectId{} : sources.front();
 }
 
 } // namespace trembler::insight

@@ -9,7 +9,9 @@
 #include "runtime/placement.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <set>
 #include <vector>
 
@@ -54,6 +56,12 @@ struct Guided {
     /// The change of that place with q.
     [[nodiscard]] Vec2 way(Vec2 point) const { return turns ? perpendicular(point - pivot) : axis; }
 };
+
+/// Of the rectangle around a body, in the world.
+std::array<Vec2, 4> cornersOf(Body const& body) {
+    auto const [low, high] = extentOf({*body.shape, body.pose.at, body.angle});
+    return {low, high, Vec2{low.x, high.y}, Vec2{high.x, low.y}};
+}
 
 bool isFixed(World const& world, ObjectId id) {
     return !id.valid() || world.find<Fixed>(id) != nullptr;
@@ -124,8 +132,7 @@ std::optional<double> wayTo(World const& world, Guided const& guided, Body const
         return std::nullopt;
     }
     double reach = 0.01; // m, of the mover from the pivot
-    auto const [low, high] = extentOf({*mover.shape, mover.pose.at, mover.angle});
-    for (Vec2 const corner : {low, high, Vec2{low.x, high.y}, Vec2{high.x, low.y}}) {
+    for (Vec2 const corner : cornersOf(mover)) {
         reach = std::max(reach, length(corner - guided.pivot));
     }
     std::optional<double> best;
@@ -174,10 +181,11 @@ Body const& outermost(Guided const& guided, double sign) {
         if (guided.turns) {
             return length(body.centre - guided.pivot);
         }
-        auto const [low, high] = extentOf({*body.shape, body.pose.at, body.angle});
-        Vec2 const back = -sign * guided.axis;
-        return std::max({dot(low, back), dot(high, back), dot(Vec2{low.x, high.y}, back),
-                         dot(Vec2{high.x, low.y}, back)});
+        double most = -std::numeric_limits<double>::infinity();
+        for (Vec2 const corner : cornersOf(body)) {
+            most = std::max(most, dot(corner, -sign * guided.axis));
+        }
+        return most;
     };
     return *std::max_element(guided.group.bodies.begin(), guided.group.bodies.end(),
                              [&](Body const& a, Body const& b) { return out(a) < out(b); });

@@ -80,4 +80,22 @@ GoalRun GoalRuns::one(Variation const& variation, GoalWatch const& watch) const 
     return ran.fault ? GoalRun{} : result;
 }
 
+void addWhatCameNearer(LevelRuns const& runs, AskOptions const& options, Answer& answer,
+                       std::vector<Variation> const& variations,
+                       std::function<Miss(std::size_t index)> const& missOf) {
+    if (variations.empty()) {
+        return;
+    }
+    Miss& nearest = answer.nearest->nearest;
+    GoalRuns again(runs, answer.nearest->id, nearest.measure, options, answer);
+    std::vector<GoalRun> const tested = again.run(variations, {});
+    for (std::size_t i = 0; i < tested.size(); ++i) {
+        if (tested[i].nearer) {
+            Miss miss = missOf(i);
+            miss.ifClosed = tested[i].shown();
+            nearest.besides.push_back(std::move(miss));
+        }
+    }
+}
+
 } // namespace trembler::insight

@@ -4,6 +4,7 @@
 #include "insight/run/variation.hpp"
 #include "insight/why/answer.hpp"
 
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,6 +19,11 @@ struct GoalRun {
     bool nearer = false;
     bool deviceWasOn = false; ///< whether current flowed through the device in any frame
     bool touched = false;     ///< whether both objects of each pair touched for longer than a bounce
+
+    /// What the run showed about the goal.
+    [[nodiscard]] IfClosed shown() const {
+        return met ? IfClosed::met : nearer ? IfClosed::nearer : IfClosed::unknown;
+    }
 };
 
 /// What is looked at in a run besides the goal.
@@ -46,5 +52,12 @@ private:
     AskOptions const& options_;
     Answer& answer_;
 };
+
+/// Runs each variation, and adds what `missOf` says of it by its index, with what the run showed, to what
+/// stands beside the answer's nearest miss, if the run came nearer to the goal. Does nothing without
+/// variations.
+void addWhatCameNearer(LevelRuns const& runs, AskOptions const& options, Answer& answer,
+                       std::vector<Variation> const& variations,
+                       std::function<Miss(std::size_t index)> const& missOf);
 
 } // namespace trembler::insight

@@ -191,7 +191,7 @@ Variation closing(Solution solution, Miss const& miss) {
 }
 
 IfClosed ifClosedIn(GoalRun const& run) {
-    return !run.deviceWasOn || !run.nearer ? IfClosed::unknown : run.met ? IfClosed::met : IfClosed::nearer;
+    return run.deviceWasOn && run.nearer ? run.shown() : IfClosed::unknown;
 }
 
 std::vector<Miss*> gapsIn(std::vector<Miss>& besides) {

@@ -95,24 +95,14 @@ void addInTheWay(LevelRuns const& runs, Solution const& solution, AskOptions con
         answer.nearest->nearest.lack != Lack::distance) {
         return;
     }
-    Miss& nearest = answer.nearest->nearest;
-    std::vector<in_the_way::Suspect> const suspects = in_the_way::suspectsOf(nearest, answer.facts);
+    std::vector<in_the_way::Suspect> const suspects =
+        in_the_way::suspectsOf(answer.nearest->nearest, answer.facts);
     std::vector<Variation> variations;
     for (in_the_way::Suspect const& suspect : suspects) {
         variations.push_back({solution, suspect.leftOut});
     }
-    if (variations.empty()) {
-        return;
-    }
-    GoalRuns again(runs, answer.nearest->id, nearest.measure, options, answer);
-    std::vector<GoalRun> const tested = again.run(variations, {});
-    for (std::size_t i = 0; i < tested.size(); ++i) {
-        if (tested[i].nearer) {
-            Miss blocked = missOfBlocked(suspects[i].name, suspects[i].blocked);
-            blocked.ifClosed = tested[i].met ? IfClosed::met : IfClosed::nearer;
-            nearest.besides.push_back(std::move(blocked));
-        }
-    }
+    addWhatCameNearer(runs, options, answer, variations,
+                      [&](std::size_t i) { return missOfBlocked(suspects[i].name, suspects[i].blocked); });
 }
 
 } // namespace trembler::insight

@@ -133,10 +133,6 @@ Miss missOf(Push const& push, IfClosed ifClosed) {
     return miss;
 }
 
-IfClosed resultOf(GoalRun const& run) {
-    return run.met ? IfClosed::met : run.nearer ? IfClosed::nearer : IfClosed::unknown;
-}
-
 } // namespace
 } // namespace not_pushed
 
@@ -165,7 +161,7 @@ void addNotPushed(LevelRuns const& runs, Solution const& solution, AskOptions co
         }
         if (tested[0].touched && !tested[1].touched) {
             confirmed.push_back(push);
-            results.push_back(not_pushed::resultOf(tested[0]));
+            results.push_back(tested[0].shown());
         }
     }
     if (confirmed.size() == 2) { // a hand for each
@@ -176,7 +172,7 @@ void addNotPushed(LevelRuns const& runs, Solution const& solution, AskOptions co
         }
         if (both[0].nearer) { // told once, of both
             nearest.besides.push_back(not_pushed::missOf(confirmed[0], IfClosed::unknown));
-            nearest.besides.push_back(not_pushed::missOf(confirmed[1], not_pushed::resultOf(both[0])));
+            nearest.besides.push_back(not_pushed::missOf(confirmed[1], both[0].shown()));
             return;
         }
     }

@@ -24,7 +24,7 @@ bool namesCut(Miss const& miss, RecordedInput const& input) {
                        [&](Miss const& other) { return namesCut(other, input); });
 }
 
-Miss missOf(RecordedInput const& input, GoalRun const& without) {
+Miss missOf(RecordedInput const& input) {
     using Kind = PlayerInput::Kind;
     Miss miss;
     miss.lack = input.kind == Kind::cut ? Lack::cut : input.kind == Kind::remove ? Lack::removal : Lack::grab;
@@ -33,7 +33,6 @@ Miss missOf(RecordedInput const& input, GoalRun const& without) {
     if (input.kind == Kind::cut) {
         miss.names.push_back(input.other);
     }
-    miss.ifClosed = without.met ? IfClosed::met : IfClosed::nearer;
     return miss;
 }
 
@@ -44,7 +43,7 @@ void addOwnDeeds(LevelRuns const& runs, Solution const& solution, AskOptions con
     if (!answer.complete || !answer.nearest) {
         return;
     }
-    Miss& nearest = answer.nearest->nearest;
+    Miss const& nearest = answer.nearest->nearest;
     std::vector<Deed> deeds = deedsOf(solution);
     std::erase_if(deeds, [&](Deed const& deed) {
         return own_deeds::namesCut(nearest, solution.inputs[deed.inputs.front()]);
@@ -57,16 +56,9 @@ void addOwnDeeds(LevelRuns const& runs, Solution const& solution, AskOptions con
             without.leftOut.push_back(withoutInput(input));
         }
     }
-    if (variations.empty()) {
-        return;
-    }
-    GoalRuns again(runs, answer.nearest->id, nearest.measure, options, answer);
-    std::vector<GoalRun> const tested = again.run(variations, {});
-    for (std::size_t i = 0; i < tested.size(); ++i) {
-        if (tested[i].nearer) {
-            nearest.besides.push_back(own_deeds::missOf(solution.inputs[deeds[i].inputs.front()], tested[i]));
-        }
-    }
+    addWhatCameNearer(runs, options, answer, variations, [&](std::size_t i) {
+        return own_deeds::missOf(solution.inputs[deeds[i].inputs.front()]);
+    });
 }
 
 } // namespace trembler::insight

@@ -60,17 +60,11 @@ std::vector<std::string> namesOfPlaced(Json const& level, Json const& solution) 
         placement.flipped = entry.is_object() && flipped != entry.end() && *flipped == true;
         placements.push_back(std::move(placement));
     }
-    std::set<std::string> const taken = takenNames(level);
+    std::vector<std::string> const sorted = placementNames(takenNames(level), placements);
+    std::vector<std::size_t> const order = canonicalOrder(placements);
     std::vector<std::string> names(placements.size());
-    std::map<std::string, int> numbers;
-    for (std::size_t const index : canonicalOrder(placements)) {
-        std::string const& part = placements[index].part;
-        if (part.empty()) {
-            continue;
-        }
-        do {
-            names[index] = fmt::format("{} {}", part, ++numbers[part]);
-        } while (taken.contains(names[index]));
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        names[order[i]] = placements[order[i]].part.empty() ? std::string() : sorted[i];
     }
     return names;
 }

@@ -21,7 +21,7 @@ void drawBuoyancy(Canvas& canvas, World const& world) {
         canvas.circle({from, 0}, canvas.metres(4.5),
                       {.tint = palette::force, .outline = 1.2F, .height = 0.F});
         double const strength = length(force);
-        double const reach = arrowLength(strength, canvas.metres(20));
+        double const reach = arrowLength(strength, canvas.metres(forceDecade));
         if (reach > canvas.metres(2)) {
             canvas.arrow(from, from + (reach / strength) * toPoint(force),
                          {.colour = palette::force, .pixels = 5.F, .outline = 1.2F, .height = 0.6F});

@@ -68,7 +68,7 @@ void drawPatch(Canvas& canvas, ContactPatch const& patch) {
     for (std::size_t i = 0; i < static_cast<std::size_t>(std::clamp(patch.count, 0, 2)); ++i) {
         Point const at = toPoint(patch.points[i]);
         double const impulse = std::max(0.0, patch.normalImpulse[i]);
-        double const reach = contactArrowLength(impulse, canvas.metres(16));
+        double const reach = contactArrowLength(impulse, canvas.metres(contactArrowUnit));
         canvas.arrow(at, at + reach * toPoint(patch.normal), {.colour = palette::contact, .pixels = 2.6F});
         mark(canvas, at);
     }

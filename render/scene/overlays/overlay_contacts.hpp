@@ -16,6 +16,8 @@ namespace trembler::render {
 
 /// Length of the arrow of an impulse in N s: `unit` without one, and `unit` more for each tenfold above 0.01.
 [[nodiscard]] double contactArrowLength(double impulse, double unit);
+/// `unit` of the arrows in the scene, pixels.
+inline constexpr double contactArrowUnit = 16;
 
 /// Points with normals, and impulses as their lengths, where they are computed; otherwise a mark between
 /// every pair that touches.

@@ -20,7 +20,7 @@ void drawMagneticForces(Canvas& canvas, World const& world) {
     }
     for (MagneticForce::Entry const& entry : forces->forces) {
         double const strength = length(entry.force);
-        double const reach = arrowLength(strength, canvas.metres(20));
+        double const reach = arrowLength(strength, canvas.metres(forceDecade));
         if (!(reach > canvas.metres(2))) {
             continue;
         }

@@ -12,6 +12,8 @@ namespace trembler::render {
 [[nodiscard]] double arrowLength(double newtons, double decade);
 /// N; forces below it have arrows of nearly no length.
 inline constexpr double leastForce = 0.01;
+/// `decade` of all arrows of forces in the scene, pixels.
+inline constexpr double forceDecade = 20;
 
 /// An arrow at each point where a magnetic force acts.
 void drawMagneticForces(Canvas& canvas, World const& world);

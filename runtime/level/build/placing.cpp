@@ -94,6 +94,11 @@ std::vector<std::string> placementNames(LevelFile const& level, std::span<Placem
     for (LevelObject const& object : level.objects) {
         taken.insert(object.name);
     }
+    return placementNames(taken, placements);
+}
+
+std::vector<std::string> placementNames(std::set<std::string> const& taken,
+                                        std::span<Placement const> placements) {
     std::vector<std::string> names;
     std::map<std::string, int> numbers;
     for (Placement const& placement : inCanonicalOrder(placements)) {

@@ -8,6 +8,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -46,6 +47,9 @@ private:
 /// The names of the objects made from placements, in canonical order: the part's name and a number, from 1,
 /// leaving out names of the level's own objects.
 [[nodiscard]] std::vector<std::string> placementNames(LevelFile const& level,
+                                                      std::span<Placement const> placements);
+/// The same where other names are taken.
+[[nodiscard]] std::vector<std::string> placementNames(std::set<std::string> const& taken,
                                                       std::span<Placement const> placements);
 
 } // namespace trembler

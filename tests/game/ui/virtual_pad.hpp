@@ -6,6 +6,8 @@
 #include <SDL_gamecontroller.h>
 #include <SDL_joystick.h>
 
+#include <algorithm>
+
 namespace trembler::ui::test {
 
 /// A gamepad that is plugged in while the program runs.
@@ -51,6 +53,18 @@ public:
             SDL_JoystickUpdate();
             player.frames(2);
         }
+    }
+    /// Leans the stick until the second pointer is at a place, or for a while.
+    void leadSecondPointer(Player& player, Vec2 to) const {
+        auto const at = [&] { return player.play().secondPointer().at(); };
+        for (int i = 0; i < 300 && length(at() - to) > 0.035; ++i) {
+            Vec2 const way = to - at();
+            double const far = std::max(length(way), 0.1); // slower near the place
+            lean(player, SDL_CONTROLLER_AXIS_LEFTX, static_cast<Sint16>(32000 * way.x / far));
+            lean(player, SDL_CONTROLLER_AXIS_LEFTY, static_cast<Sint16>(-32000 * way.y / far));
+        }
+        lean(player, SDL_CONTROLLER_AXIS_LEFTX, 0);
+        lean(player, SDL_CONTROLLER_AXIS_LEFTY, 0);
     }
 
 private:

@@ -2,6 +2,7 @@
 #include "physics/inverse_square/kernels.hpp"
 #include "physics/magnetism/magnetic_actions.hpp"
 #include "tests/physics/magnetism/magnet_world.hpp"
+#include "tests/physics/magnetism/magnetic_things.hpp"
 
 #include <gtest/gtest.h>
 
@@ -19,19 +20,13 @@ constexpr MagneticPoles south{PoleSet::south, {}, {}};
 
 using Told = std::tuple<std::string, std::uint32_t, std::uint32_t>; ///< what, object, by
 
-/// Things without a world. Those that can move have a velocity.
-struct Things {
+/// Those that can move have a velocity.
+struct Things : test::MagneticThings {
     ObjectId thing(Vec2 at, double strength, double susceptibility, MagneticPoles const& poles,
                    bool moves = true) {
-        ObjectId const id{count_++, 0};
-        positions.set(id, {at});
-        strengths.set(id, {strength, susceptibility});
+        ObjectId const id = MagneticThings::thing(at, strength, susceptibility, poles);
         if (moves) {
             velocities.set(id, {});
-        }
-        if (poles.poles != PoleSet::none) {
-            poleSets.set(id, poles);
-            magnets.set(id, Magnet{});
         }
         return id;
     }
@@ -42,14 +37,12 @@ struct Things {
 
     /// The events of an update, sorted; their causes are kept by the event's number.
     std::vector<Told> follow() {
-        MagneticColumns const columns{positions, rotations, velocities, spins,  masses,
-                                      shapes,    poleSets,  strengths,  magnets};
         MagneticPoints points;
-        points.gather(columns, 0);
+        points.gather(columns(), 0);
         points.exportForces(into);
         std::vector<Told> told;
         followActions(
-            points, columns, switching,
+            points, columns(), switching,
             [&](std::string_view what, std::span<ObjectId const> objects, std::span<EventId const> causes) {
                 told.emplace_back(what, objects[0].index, objects[1].index);
                 causesOf.emplace_back(causes.begin(), causes.end());
@@ -61,21 +54,9 @@ struct Things {
         return told;
     }
 
-    Column<Position> positions;
-    Column<Rotation> rotations;
-    Column<Velocity> velocities;
-    Column<AngularVelocity> spins;
-    Column<Mass> masses;
-    Column<Shape> shapes;
-    Column<MagneticPoles> poleSets;
-    Column<MagneticStrength> strengths;
-    Column<Magnet> magnets;
     std::vector<EventId> switching;
     std::vector<std::vector<EventId>> causesOf;
     MagneticForce into;
-
-private:
-    std::uint32_t count_ = 0;
 };
 
 TEST(MagneticActions, EachMagnetIsNamedWithWhatItDoes) {

@@ -1,6 +1,7 @@
 // Magnets and irons as points, their forces by formulas, and the rates of these forces.
 #include "physics/inverse_square/kernels.hpp"
 #include "physics/magnetism/magnetic_points.hpp"
+#include "tests/physics/magnetism/magnetic_things.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
@@ -14,21 +15,12 @@ namespace {
 
 using Sums = MagneticSum;
 
-struct Things {
+struct Things : test::MagneticThings {
     ObjectId thing(Vec2 at, double angle, double strength, double susceptibility,
                    MagneticPoles const& poles) {
-        ObjectId const id{count_++, 0};
-        positions.set(id, {at});
+        ObjectId const id = MagneticThings::thing(at, strength, susceptibility, poles);
         rotations.set(id, {angle});
-        strengths.set(id, {strength, susceptibility});
-        if (poles.poles != PoleSet::none) {
-            poleSets.set(id, poles);
-            magnets.set(id, Magnet{});
-        }
         return id;
-    }
-    [[nodiscard]] MagneticColumns columns() const {
-        return {positions, rotations, velocities, spins, masses, shapes, poleSets, strengths, magnets};
     }
     /// The sum over every pair, as in the pairwise level.
     MagneticForce forces(double lag = 0) {
@@ -45,19 +37,7 @@ struct Things {
         return found;
     }
 
-    Column<Position> positions;
-    Column<Rotation> rotations;
-    Column<Velocity> velocities;
-    Column<AngularVelocity> spins;
-    Column<Mass> masses;
-    Column<Shape> shapes;
-    Column<MagneticPoles> poleSets;
-    Column<MagneticStrength> strengths;
-    Column<Magnet> magnets;
     MagneticPoints points;
-
-private:
-    std::uint32_t count_ = 0;
 };
 
 MagneticPoles bar(double half) {

@@ -225,6 +225,11 @@ std::optional<Json> fieldWidget(EditParts& parts, edit::InspectedField const& fi
     return result;
 }
 
+bool isContinuous(edit::InspectedField const& field) {
+    return field.type == FieldType::number || field.type == FieldType::integer ||
+           field.type == FieldType::vector;
+}
+
 void runWidget(EditParts& parts, std::function<edit::Command(Json const&)> const& make, bool continuous) {
     std::vector<std::string> const selected = parts.selected();
     EntryKind const kind = parts.selection.kind();

@@ -31,6 +31,8 @@ void fieldName(std::string const& name, std::string const& help);
 /// not drawn.
 [[nodiscard]] std::optional<edit::Json> fieldWidget(EditParts& parts, edit::InspectedField const& field,
                                                     std::string const& item);
+/// Whether its widget is dragged, and so changes the value many times in one gesture.
+[[nodiscard]] bool isContinuous(edit::InspectedField const& field);
 /// Runs a command made by a widget: the changes of one widget in use are one step of undo.
 void runWidget(EditParts& parts, std::function<edit::Command(edit::Json const&)> const& make,
                bool continuous);

@@ -98,13 +98,11 @@ void drawField(Owner const& owner, std::string const& key, InspectedField const&
     }
     std::string const item = key + field.place;
     if (auto const value = fieldWidget(owner.parts, field, item)) {
-        bool const continuous = field.type == FieldType::number || field.type == FieldType::integer ||
-                                field.type == FieldType::vector;
         auto const [place, changed] = changeOf(field, *value);
         runWidget(
             owner.parts,
             [&, at = place, to = changed](Json const& level) { return owner.set(level, key, at, to); },
-            continuous);
+            isContinuous(field));
     }
 }
 

@@ -57,14 +57,12 @@ void drawEntry(EditParts& parts, std::string const& solution, edit::EntryList co
                 form == nullptr || form->key.empty() ? "" : shownField(words::capital(form->key)).c_str());
     auto const change = [&](edit::InspectedField const& field, Json const& value) {
         Json const changed = edit::entryWith(entry, field, value);
-        bool const continuous = field.type == FieldType::number || field.type == FieldType::integer ||
-                                field.type == FieldType::vector;
         runWidget(
             parts,
             [&](Json const& level) {
                 return edit::setSolutionEntry(level, solution, list.key, index, changed);
             },
-            continuous);
+            isContinuous(field));
     };
     if (form != nullptr) {
         for (edit::InspectedField const& field : edit::fieldsOfEntry(*form, entry, names)) {

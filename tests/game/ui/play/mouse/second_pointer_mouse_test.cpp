@@ -13,16 +13,9 @@ Vec2 doorOf(Player& player) {
     return world.find<Position>(world.store().find("door"))->value;
 }
 
-/// Leans the stick until the second pointer is at a place.
+/// With the second pointer.
 void goTo(Player& player, VirtualPad const& pad, Vec2 to) {
-    for (int i = 0; i < 300 && length(player.play().secondPointer().at() - to) > 0.035; ++i) {
-        Vec2 const way = to - player.play().secondPointer().at();
-        double const far = std::max(length(way), 0.1); // slower near the place
-        pad.lean(player, SDL_CONTROLLER_AXIS_LEFTX, static_cast<Sint16>(32000 * way.x / far));
-        pad.lean(player, SDL_CONTROLLER_AXIS_LEFTY, static_cast<Sint16>(-32000 * way.y / far));
-    }
-    pad.lean(player, SDL_CONTROLLER_AXIS_LEFTX, 0);
-    pad.lean(player, SDL_CONTROLLER_AXIS_LEFTY, 0);
+    pad.leadSecondPointer(player, to);
     ASSERT_LT(length(player.play().secondPointer().at() - to), 0.1);
 }
 
