@@ -1,7 +1,7 @@
 // The cost of tracing a run for `trembler why`: time of all frames of each level without input, with and
 // without a trace. Without one, an event costs a test of a null pointer. Processor time, one thread: some
 // levels' 600 frames take less than a millisecond, in which any other work on the processor would count more
-// than the trace.
+// than the trace. bench_tracing NAME... measures only levels whose names contain one of these.
 #include "bench/measure.hpp"
 #include "puzzle/data/game_data.hpp"
 #include "puzzle/session/session.hpp"
@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <ctime>
+#include <string>
 #include <vector>
 
 namespace {
@@ -39,11 +40,18 @@ void runOnce(GameData const& data, LevelFile const& level, bool trace, bench::Se
 
 } // namespace
 
-int main() {
+int main(int count, char** arguments) {
+    std::vector<std::string> const wanted(arguments + 1, arguments + count);
     GameData const data;
     bench::Table table("Tracing a run: share of a frame's time");
     std::vector<double> shares;
     for (auto const& file : data.levels()) {
+        std::string const name = data.shortName(file);
+        if (!wanted.empty() && std::none_of(wanted.begin(), wanted.end(), [&](std::string const& part) {
+                return name.find(part) != std::string::npos;
+            })) {
+            continue;
+        }
         LevelFile const level = loadLevel(data.registry, file);
         if (!level.mods.empty()) {
             continue;
@@ -56,7 +64,7 @@ int main() {
         }
         double const share = 100 * (traced.quantile(0.2) / plain.quantile(0.2) - 1);
         shares.push_back(share);
-        table.row(data.shortName(file), share, "%");
+        table.row(name, share, "%");
     }
     std::sort(shares.begin(), shares.end());
     double const middle = shares.empty() ? 0 : shares[shares.size() / 2];

@@ -91,7 +91,7 @@ std::size_t ScriptedInteraction::workload() const {
 }
 
 void ScriptedInteraction::run(FrameContext const& context) {
-    openSinks(context, 1, Phase::interaction);
+    openSinks(context, Phase::interaction);
     source_->begin();
     try {
         applyScript(context);

@@ -1,11 +1,8 @@
 #include "physics/magnetism/magnetic_actions.hpp"
 
-#include "physics/dynamics/calls.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -18,75 +15,15 @@ using Action = MagneticForce::Action;
 // Less than this share of a force along the line between the two is no reason to call a pull a push.
 constexpr double clearlyAlong = 0.1;
 
-/// What one object does to another one: the force, and its part that is directed towards the acting object.
-struct Effect {
-    ObjectId by;
-    double force = 0; ///< N
-    double along = 0; ///< N, negative: away
-};
-
-/// Adds what each object does to one receiver.
-void addEffects(MagneticPoints const& points, MagneticSum sum, std::size_t receiver,
-                std::vector<Effect>& effects) {
-    inverse_square::Points const& from = points.sources(sum);
-    inverse_square::Points const& on = points.receivers(sum);
-    std::span<ObjectId const> const objects = points.sourceObjects(sum);
-    ObjectId const self = points.receiverObjects(sum)[receiver];
-    double const own = -on.weight[receiver] / magneticConstant; // poleForce() is repulsive for equal signs
-    for (std::size_t j = 0; j < objects.size();) {
-        ObjectId const by = objects[j];
-        Vec2 force;
-        Vec2 nearest;
-        double least = std::numeric_limits<double>::infinity();
-        std::size_t const first = j;
-        for (; j < objects.size() && objects[j] == by; ++j) {
-            Vec2 const r = from.at(j) - on.at(receiver);
-            force += poleForce(r, own, from.weight[j]);
-            if (lengthSquared(r) < least) {
-                least = lengthSquared(r);
-                nearest = r;
-            }
-        }
-        if (by == self) {
-            continue;
-        }
-        double const size = length(force);
-        double along = std::copysign(size, dot(force, nearest)); // one pole's force is central
-        if (j - first > 1 && least > 0) {
-            along = dot(force, nearest) / std::sqrt(least);
-        }
-        effects.push_back({by, size, along});
-    }
-}
-
 bool byObject(Effect const& a, Effect const& b) {
     return a.by < b.by;
-}
-
-/// Adds the effects of the same object, whose points were looked at one by one.
-void merge(std::vector<Effect>& effects) {
-    if (!std::is_sorted(effects.begin(), effects.end(), byObject)) {
-        std::sort(effects.begin(), effects.end(), byObject);
-    }
-    std::size_t count = 0;
-    for (Effect const& effect : effects) {
-        if (count > 0 && effects[count - 1].by == effect.by) {
-            effects[count - 1].force += effect.force;
-            effects[count - 1].along += effect.along;
-        } else {
-            effects[count++] = effect;
-        }
-    }
-    effects.resize(count);
 }
 
 class Follower {
 public:
     Follower(MagneticColumns const& columns, std::span<EventId const> switching, RecordEvent const& record,
-             std::vector<Action> before)
-        : columns_(columns), switching_(switching), record_(record), before_(std::move(before)) {
-        now_.reserve(before_.size());
-    }
+             std::span<Action const> before, std::vector<Action>& now)
+        : columns_(columns), switching_(switching), record_(record), before_(before), now_(now) {}
 
     [[nodiscard]] bool moves(ObjectId object) const { return columns_.velocities.has(object); }
 
@@ -107,15 +44,12 @@ public:
         }
     }
 
-    [[nodiscard]] std::vector<Action> finish() {
-        endBefore(ObjectId{}, ObjectId{});
-        return std::move(now_);
-    }
+    void finish() { endBefore(ObjectId{}, ObjectId{}); }
 
 private:
-    /// An action that is followed ends at half of the force at which it began.
+    /// A followed action's is larger, so that it ends at a smaller force than that at which it began.
     static double rankOf(Effect const& effect, bool followed) {
-        return followed ? 2 * effect.force : effect.force;
+        return followed ? negligibleForce / endForce * effect.force : effect.force;
     }
     [[nodiscard]] bool isNext(ObjectId object, ObjectId by) const {
         return next_ < before_.size() && before_[next_].object == object && before_[next_].by == by;
@@ -184,50 +118,38 @@ private:
     MagneticColumns const& columns_;
     std::span<EventId const> switching_;
     RecordEvent const& record_;
-    std::vector<Action> before_;
+    std::span<Action const> before_;
     std::size_t next_ = 0; // of before_: the first that has not been looked at
-    std::vector<Action> now_;
+    std::vector<Action>& now_;
 };
 
 } // namespace
 } // namespace magnetic_actions
 
-void followActions(MagneticPoints const& points, MagneticColumns const& columns,
-                   std::span<EventId const> switching, RecordEvent const& record, MagneticForce& into) {
+void MagneticActions::follow(MagneticPoints const& points, MagneticColumns const& columns,
+                             std::span<EventId const> switching, RecordEvent const& record,
+                             MagneticForce& into) {
     using namespace magnetic_actions;
-    Follower follower(columns, switching, record, std::move(into.actions));
-    std::span<ObjectId const> const poles = points.receiverObjects(MagneticSum::polesOnPoles);
-    std::span<ObjectId const> const soft = points.receiverObjects(MagneticSum::polesOnSoft);
-    std::vector<Effect> effects;
-    for (std::size_t p = 0, s = 0; points.active() && (p < poles.size() || s < soft.size());) {
-        bool const both = p < poles.size() && s < soft.size();
-        ObjectId const object = both ? std::min(poles[p], soft[s]) : p < poles.size() ? poles[p] : soft[s];
-        bool const moves = follower.moves(object);
-        effects.clear();
-        for (; p < poles.size() && poles[p] == object; ++p) {
-            if (moves) {
-                addEffects(points, MagneticSum::polesOnPoles, p, effects);
-                addEffects(points, MagneticSum::softOnPoles, p, effects);
+    before_.swap(into.actions);
+    into.actions.clear();
+    Follower follower(columns, switching, record, before_, into.actions);
+    if (points.active()) {
+        surroundings_.update(points);
+        for (Thing const& thing : surroundings_.things()) {
+            if (follower.moves(thing.object)) {
+                follower.add(thing.object, surroundings_.effectsOn(thing));
             }
-        }
-        for (; s < soft.size() && soft[s] == object; ++s) {
-            if (moves) {
-                addEffects(points, MagneticSum::polesOnSoft, s, effects);
-            }
-        }
-        if (moves) {
-            merge(effects);
-            follower.add(object, effects);
         }
     }
-    into.actions = follower.finish();
+    follower.finish();
 }
 
 void nameCauses(MagneticForce& into) {
+    auto begin = into.actions.begin(); // of the entry's object
     for (MagneticForce::Entry& entry : into.forces) {
-        auto const begin =
-            std::lower_bound(into.actions.begin(), into.actions.end(), entry.object,
-                             [](MagneticForce::Action const& one, ObjectId id) { return one.object < id; });
+        while (begin != into.actions.end() && begin->object < entry.object) {
+            ++begin;
+        }
         MagneticForce::Action const* strongest = nullptr;
         for (auto at = begin; at != into.actions.end() && at->object == entry.object; ++at) {
             if (strongest == nullptr || at->force > strongest->force) {

@@ -60,7 +60,7 @@ public:
             if (++sinceFollowed_ >= followPeriod || switched) {
                 sinceFollowed_ = 0;
                 magnets_ = columns.magnets.version();
-                followActions(
+                actions_.follow(
                     points_, columns, access.template read<MagnetSwitching>().byIndex,
                     [&](std::string_view what, std::span<ObjectId const> objects,
                         std::span<EventId const> causes) { return access.event(what, objects, causes); },
@@ -72,6 +72,7 @@ public:
 
 private:
     MagneticPoints points_;
+    MagneticActions actions_;          // while tracing
     std::uint64_t magnets_ = 0;        // version of the column when actions were followed last
     int sinceFollowed_ = followPeriod; // updates
 };

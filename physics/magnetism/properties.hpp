@@ -225,7 +225,7 @@ struct MagneticForce {
                   self.angular);
         }
     };
-    /// What one object does to another one that can move, see followActions().
+    /// What one object does to another one that can move, see MagneticActions.
     struct Action {
         ObjectId object;
         ObjectId by;      ///< the magnet, or the iron to which a magnet is drawn

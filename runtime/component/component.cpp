@@ -14,13 +14,16 @@ std::string_view nameOf(Activity activity) {
     return "";
 }
 
-void Component::openSinks(FrameContext const& context, std::size_t chunks, Phase phase) {
-    sinks_.clear();
-    if (context.tracing) {
-        for (std::size_t chunk = 0; chunk < chunks; ++chunk) {
-            sinks_.emplace_back(context.store, context.when, context.component,
-                                static_cast<std::uint32_t>(chunk), phase, info_.text.name);
-        }
+void Component::openSinks(FrameContext const& context, Phase phase) {
+    if (!context.tracing) {
+        sinks_.clear();
+        return;
+    }
+    for (EventSink& sink : sinks_) { // those of its last run, which keep their memory
+        sink.restart(context.when);
+    }
+    if (sinks_.empty()) {
+        sinks_.emplace_back(context.store, context.when, context.component, 0, phase, info_.text.name);
     }
 }
 

@@ -71,6 +71,11 @@ public:
     virtual void hashState(StateHash& hash) const = 0;
     /// The sinks of its last run, in order of chunks.
     [[nodiscard]] std::deque<EventSink>& sinks() { return sinks_; }
+    /// Whether these have events.
+    [[nodiscard]] bool hasEvents() const {
+        return std::any_of(sinks_.begin(), sinks_.end(),
+                           [](EventSink const& sink) { return !sink.events().empty(); });
+    }
 
 protected:
     /// States that it has no work until one of these has changed, or until wake(). They must stay where they
@@ -81,7 +86,7 @@ protected:
     }
     void wake() { waiting_ = false; }
 
-    void openSinks(FrameContext const& context, std::size_t chunks, Phase phase);
+    void openSinks(FrameContext const& context, Phase phase);
 
     /// Its identity as a caller; an interaction's only.
     [[nodiscard]] CallerId caller() const { return caller_; }

@@ -80,7 +80,7 @@ public:
     [[nodiscard]] bool hasWork() const final { return first_ || reads_.changed(); }
     [[nodiscard]] std::size_t workload() const override { return reads_.rows(); }
     void run(FrameContext const& context) final {
-        openSinks(context, 1, Phase::dps);
+        openSinks(context, Phase::dps);
         Access access(*this, context);
         static_cast<Self&>(*this).update(access);
         reads_.markSeen();

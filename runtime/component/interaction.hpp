@@ -136,7 +136,7 @@ public:
         source_.startTurn();
         trace_.begin();
         try {
-            openSinks(context, 1, Phase::interaction);
+            openSinks(context, Phase::interaction);
             Access access(*this, context);
             static_cast<Self&>(*this).apply(access);
         } catch (...) {

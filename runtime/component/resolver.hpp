@@ -128,7 +128,7 @@ public:
     /// No call is carried out twice, not even if an exception ends the advance: the effects of the call up to
     /// then remain, and the rest of it is never carried out.
     void run(FrameContext const& context) final {
-        openSinks(context, 1, Phase::resolver);
+        openSinks(context, Phase::resolver);
         channel_->noteSourcesWithCalls();
         try {
             Access access(*this, context);

@@ -39,6 +39,13 @@ std::string_view nameOf(Phase phase) {
     return "";
 }
 
+[[noreturn]] void throwTooMuch() {
+    throw std::length_error(
+        fmt::format("an account of at most {} components, {} chunks of 1024 rows and {} frames, "
+                    "or parts of frames, can be kept; turn tracing off",
+                    componentLimit, chunkLimit, stepLimit));
+}
+
 } // namespace
 
 EventSink::EventSink(Store const* store, Moment when, std::uint32_t component, std::uint32_t chunk,
@@ -48,11 +55,17 @@ EventSink::EventSink(Store const* store, Moment when, std::uint32_t component, s
             (std::uint64_t{chunk} << chunkShift)),
       phase_(phase), component_(name) {
     if (component >= componentLimit || chunk >= chunkLimit || when.step >= stepLimit) {
-        throw std::length_error(
-            fmt::format("an account of at most {} components, {} chunks of 1024 rows and {} frames, "
-                        "or parts of frames, can be kept; turn tracing off",
-                        componentLimit, chunkLimit, stepLimit));
+        throwTooMuch();
     }
+}
+
+void EventSink::restart(Moment when) {
+    if (when.step >= stepLimit) {
+        throwTooMuch();
+    }
+    when_ = when;
+    base_ = (when.step << stepShift) | (base_ & ((std::uint64_t{1} << stepShift) - 1));
+    events_.clear();
 }
 
 EventId EventSink::record(std::string_view event, std::span<ObjectId const> objects,

@@ -24,9 +24,13 @@ public:
     EventSink(Store const* store, Moment when, std::uint32_t component, std::uint32_t chunk, Phase phase,
               std::string_view name);
 
+    /// Goes on in another part of a frame, without events. Throws as the constructor does.
+    void restart(Moment when);
+
     EventId record(std::string_view event, std::span<ObjectId const> objects,
                    std::span<EventId const> causes);
     [[nodiscard]] std::vector<Event>& events() { return events_; }
+    [[nodiscard]] std::vector<Event> const& events() const { return events_; }
 
 private:
     Store const* store_ = nullptr;

@@ -101,9 +101,12 @@ void World::setUp() {
     whole_ = true;
 }
 
-// Only of components that may have run since the last time: looking at all of them would take longer than
-// some frames do.
+// In most parts of a frame nothing happens. In others, only components that may have run since the last time
+// are looked at: looking at all of them would take longer than some frames do.
 void World::gatherTrace() {
+    if (!eventful_.exchange(false, std::memory_order_relaxed)) {
+        return;
+    }
     auto const gatherFrom = [this](std::size_t index) {
         if (Component* const component = entries_[index].component.get()) {
             for (EventSink& sink : component->sinks()) {

@@ -10,6 +10,7 @@
 #include "runtime/world/subscription.hpp"
 
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -205,6 +206,7 @@ private:
     Channels channels_{callers_};
     Executor executor_;
     std::unique_ptr<Tracer> tracer_;
+    std::atomic<bool> eventful_ = false; // whether a component may have left events to gather
     std::shared_ptr<Wants> wants_ = std::make_shared<Wants>(); // not part of the world's state
     std::array<std::vector<Turn>, 3> turns_;                   // by kind, ascending by entry
     std::vector<Entry> entries_; // resolvers, derived property sets, interactions; registration order in each

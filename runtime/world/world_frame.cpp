@@ -34,7 +34,8 @@ void World::step(PartLook const& look) {
     }
     Raised const raised(underWay_);
     if (!std::exchange(whole_, false) && tracer_) {
-        gatherTrace(); // the events of a frame that an exception ended
+        eventful_ = true; // the component whose exception ended the last frame may have left events
+        gatherTrace();
     }
     now_ = {now_.frame + 1, 1, 1, now_.step + 1};
     ticks_ = (now_.frame - 1) * ticksPerFrame;

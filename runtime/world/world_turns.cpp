@@ -29,6 +29,9 @@ void World::runEntry(Entry& entry) {
             ticks_; // also if an exception ends the turn: no time passes twice, see Resolver::run
     }
     entry.component->run(context);
+    if (tracer_ && entry.component->hasEvents()) {
+        eventful_.store(true, std::memory_order_relaxed);
+    }
     entry.lastTick = ticks_;
     entry.ranTick = ticks_;
     ++entry.status.updates;

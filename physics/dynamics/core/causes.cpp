@@ -24,6 +24,7 @@ bool CauseBook::insert(SlotIndex slot, EventId event, bool acting) {
         at->acting = at->acting || acting;
         return false;
     }
+    changed_ = true;
     if (causes.size() == most) {
         causes.erase(std::min_element(causes.begin(), causes.end(), [](Cause const& x, Cause const& y) {
             return x.acting != y.acting ? y.acting : x.event < y.event;
@@ -84,6 +85,7 @@ void CauseBook::spread(BodyTable const& bodies, JointTable const& joints,
 
 void CauseBook::forget(SlotIndex slot) {
     if (slot < causes_.size()) {
+        changed_ = changed_ || !causes_[slot].empty();
         causes_[slot].clear();
     }
     std::erase_if(news_, [&](News const& news) { return news.slot == slot; });

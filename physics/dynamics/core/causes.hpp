@@ -6,6 +6,8 @@
 
 #include <array>
 #include <span>
+#include <utility>
+#include <vector>
 
 namespace trembler {
 
@@ -29,6 +31,8 @@ public:
 
     /// The causes of two bodies' motion (or of one), ascending, without repeats; none for noSlot.
     [[nodiscard]] std::vector<EventId> of(SlotIndex a, SlotIndex b = noSlot) const;
+    /// Whether any body has other causes than when this was asked last.
+    [[nodiscard]] bool takeChanged() { return std::exchange(changed_, false); }
 
 private:
     struct Cause {
@@ -44,6 +48,7 @@ private:
 
     std::vector<std::vector<Cause>> causes_; // by slot
     std::vector<News> news_;
+    bool changed_ = false;
 };
 
 } // namespace trembler

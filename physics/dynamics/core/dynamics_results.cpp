@@ -142,6 +142,9 @@ void DynamicsResolver::updateImpacts(Access& access, bool moved) {
 }
 
 void DynamicsResolver::updateCauses(Access& access) {
+    if (!simulation_.causes().takeChanged()) {
+        return; // as in most frames
+    }
     auto& entries = access.provide<MotionCauses>().entries;
     entries.clear();
     BodyTable const& bodies = simulation_.bodies();

@@ -4,6 +4,7 @@
 #include "tests/insight/support/on_threads.hpp"
 #include "tests/insight/support/tested_level.hpp"
 #include "tests/insight/support/threaded_team.hpp"
+#include "tests/support/sanitizer.hpp"
 
 #include <gtest/gtest.h>
 
@@ -54,18 +55,20 @@ TEST(Search, FindsBothPartsThatCloseTheCircuit) {
 }
 
 TEST(Search, FindsTheSameWithAnyNumberOfThreadsAndMembers) {
+    SearchOptions options = shortSearch();
+    options.runs = test::underSanitizer ? 60 : options.runs;
     Workers one(onThreads(1));
-    std::string const expected = told(searchFor(firstContact(), shortSearch(), one));
+    std::string const expected = told(searchFor(firstContact(), options, one));
     Workers three(onThreads(3));
-    EXPECT_EQ(told(searchFor(firstContact(), shortSearch(), three)), expected);
+    EXPECT_EQ(told(searchFor(firstContact(), options, three)), expected);
     std::mutex mutex;
     ThreadedTeam::run(3, [&](Team& team) {
         Workers workers(onThreads(1, &team));
-        std::string const mine = told(searchFor(firstContact(), shortSearch(), workers));
+        std::string const mine = told(searchFor(firstContact(), options, workers));
         std::lock_guard const lock(mutex);
         EXPECT_EQ(mine, expected) << "member " << team.rank();
     });
-    SearchOptions other = shortSearch();
+    SearchOptions other = options;
     other.seed = 4;
     EXPECT_NE(told(searchFor(firstContact(), other, one)), expected);
 }

@@ -41,7 +41,7 @@ struct Things : test::MagneticThings {
         points.gather(columns(), 0);
         points.exportForces(into);
         std::vector<Told> told;
-        followActions(
+        actions.follow(
             points, columns(), switching,
             [&](std::string_view what, std::span<ObjectId const> objects, std::span<EventId const> causes) {
                 told.emplace_back(what, objects[0].index, objects[1].index);
@@ -54,6 +54,7 @@ struct Things : test::MagneticThings {
         return told;
     }
 
+    MagneticActions actions;
     std::vector<EventId> switching;
     std::vector<std::vector<EventId>> causesOf;
     MagneticForce into;
