@@ -123,6 +123,34 @@ private:
     std::vector<Action>& now_;
 };
 
+void listStrongest(std::span<Action const> actions, std::vector<std::pair<ObjectId, EventId>>& strongest) {
+    strongest.clear();
+    double force = 0;
+    for (Action const& action : actions) {
+        bool const another = strongest.empty() || strongest.back().first != action.object;
+        if (another) {
+            strongest.emplace_back(action.object, action.event);
+        } else if (action.force > force) {
+            strongest.back().second = action.event;
+        } else {
+            continue;
+        }
+        force = action.force;
+    }
+}
+
+bool differ(inverse_square::Points const& a, inverse_square::Points const& b) {
+    if (a.weight != b.weight || a.owner != b.owner) {
+        return true;
+    }
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        if (lengthSquared(a.at(i) - b.at(i)) > followDistance * followDistance) {
+            return true;
+        }
+    }
+    return false;
+}
+
 } // namespace
 } // namespace magnetic_actions
 
@@ -142,21 +170,24 @@ void MagneticActions::follow(MagneticPoints const& points, MagneticColumns const
         }
     }
     follower.finish();
+    poles_ = points.sources(MagneticSum::polesOnPoles);
+    soft_ = points.sources(MagneticSum::softOnPoles);
+    listStrongest(into.actions, strongest_);
 }
 
-void nameCauses(MagneticForce& into) {
-    auto begin = into.actions.begin(); // of the entry's object
+bool MagneticActions::outdated(MagneticPoints const& points) const {
+    return magnetic_actions::differ(poles_, points.sources(MagneticSum::polesOnPoles)) ||
+           magnetic_actions::differ(soft_, points.sources(MagneticSum::softOnPoles));
+}
+
+void MagneticActions::nameCauses(MagneticForce& into) const {
+    auto at = strongest_.begin();
     for (MagneticForce::Entry& entry : into.forces) {
-        while (begin != into.actions.end() && begin->object < entry.object) {
-            ++begin;
+        while (at != strongest_.end() && at->first < entry.object) {
+            ++at;
         }
-        MagneticForce::Action const* strongest = nullptr;
-        for (auto at = begin; at != into.actions.end() && at->object == entry.object; ++at) {
-            if (strongest == nullptr || at->force > strongest->force) {
-                strongest = &*at;
-            }
-        }
-        entry.cause = strongest == nullptr ? EventId{} : strongest->event;
+        bool const any = at != strongest_.end() && at->first == entry.object;
+        entry.cause = any ? at->second : EventId{};
     }
 }
 

@@ -6,6 +6,7 @@
 #include <functional>
 #include <span>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace trembler {
@@ -22,9 +23,13 @@ inline constexpr std::string_view noLongerAttracted = "no longer attracted";
 inline constexpr std::string_view noLongerRepelled = "no longer repelled";
 } // namespace magnetic_events
 
-/// Without a switched magnet, actions are followed in every fourth update: objects approach each other slowly
-/// compared to that.
+/// Without a switched magnet, actions are followed in every fourth update at most: objects approach each
+/// other slowly compared to that.
 inline constexpr int followPeriod = 4;
+
+/// As long as no pole and no centre of susceptible matter has moved this far since, in m, forces are those
+/// that were followed last.
+inline constexpr double followDistance = magneticSoftening / 10;
 
 /// At most so many actions on one object are followed at a time: the strongest.
 inline constexpr std::size_t mostActions = 16;
@@ -49,12 +54,19 @@ public:
     void follow(MagneticPoints const& points, MagneticColumns const& columns,
                 std::span<EventId const> switching, RecordEvent const& record, MagneticForce& into);
 
+    /// Whether anything has moved by more than `followDistance`, or acts more or less strongly, since the
+    /// last call of follow().
+    [[nodiscard]] bool outdated(MagneticPoints const& points) const;
+
+    /// Sets the causes of `into.forces`: the event of the strongest of the actions on their object.
+    void nameCauses(MagneticForce& into) const;
+
 private:
     magnetic_actions::Surroundings surroundings_;
-    std::vector<MagneticForce::Action> before_; // those followed last, during an update
+    inverse_square::Points poles_; // when actions were followed last
+    inverse_square::Points soft_;
+    std::vector<std::pair<ObjectId, EventId>> strongest_; // of the actions on each object, ascending
+    std::vector<MagneticForce::Action> before_;           // those followed last, during an update
 };
-
-/// Sets the causes of `into.forces`: the event of the strongest of the actions on their object.
-void nameCauses(MagneticForce& into);
 
 } // namespace trembler

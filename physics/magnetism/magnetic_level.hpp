@@ -57,7 +57,7 @@ public:
         into.foreseen = ahead;
         if (access.tracing()) [[unlikely]] {
             bool const switched = columns.magnets.version() != magnets_;
-            if (++sinceFollowed_ >= followPeriod || switched) {
+            if (switched || (++sinceFollowed_ >= followPeriod && actions_.outdated(points_))) {
                 sinceFollowed_ = 0;
                 magnets_ = columns.magnets.version();
                 actions_.follow(
@@ -66,7 +66,7 @@ public:
                         std::span<EventId const> causes) { return access.event(what, objects, causes); },
                     into);
             }
-            nameCauses(into);
+            actions_.nameCauses(into);
         }
     }
 

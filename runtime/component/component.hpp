@@ -73,8 +73,8 @@ public:
     [[nodiscard]] std::deque<EventSink>& sinks() { return sinks_; }
     /// Whether these have events.
     [[nodiscard]] bool hasEvents() const {
-        return std::any_of(sinks_.begin(), sinks_.end(),
-                           [](EventSink const& sink) { return !sink.events().empty(); });
+        auto const has = [](EventSink const& sink) { return !sink.events().empty(); };
+        return sinks_.size() == 1 ? has(sinks_.front()) : std::any_of(sinks_.begin(), sinks_.end(), has);
     }
 
 protected:

@@ -49,7 +49,7 @@ struct Things : test::MagneticThings {
                 return EventId{1000 + causesOf.size()};
             },
             into);
-        nameCauses(into);
+        actions.nameCauses(into);
         std::sort(told.begin(), told.end());
         return told;
     }
@@ -147,6 +147,33 @@ TEST(MagneticActions, OfManyTheStrongestAreFollowed) {
     EXPECT_TRUE(things.follow().empty()) << "none changes places for a little more";
     things.strengths.set(ObjectId{1, 0}, {4000, 0});
     EXPECT_EQ(things.follow(), (std::vector<Told>{{"attracted", 0, 1}, {"no longer attracted", 0, 5}}));
+}
+
+TEST(MagneticActions, AreOutdatedOnceSomethingHasMoved) {
+    Things things;
+    things.iron({0, 0});
+    ObjectId const magnet = things.pole({1, 0}, 1000, north);
+    auto const outdated = [&] {
+        MagneticPoints points;
+        points.gather(things.columns(), 0);
+        return things.actions.outdated(points);
+    };
+    EXPECT_TRUE(outdated()) << "before the first time";
+    things.follow();
+    EXPECT_FALSE(outdated());
+    for (int i = 1; i <= 3; ++i) { // by little, but of the same sign each time
+        things.positions.set(magnet, {{1 + 0.3 * i * followDistance, 0}});
+        EXPECT_FALSE(outdated());
+    }
+    things.positions.set(magnet, {{1 + 1.2 * followDistance, 0}});
+    EXPECT_TRUE(outdated());
+    things.follow();
+    EXPECT_FALSE(outdated());
+    things.strengths.set(magnet, {1001, 0});
+    EXPECT_TRUE(outdated());
+    things.follow();
+    things.iron({0, 5});
+    EXPECT_TRUE(outdated());
 }
 
 TEST(MagneticActions, WithoutATraceNothingIsFollowed) {

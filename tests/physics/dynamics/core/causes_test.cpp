@@ -104,6 +104,10 @@ TEST_P(Causes, OfEveryBodyCanBeReadAndAreFew) {
         }
     }
     EXPECT_TRUE(causes.of(ObjectId{}).empty());
+    scene.world->store().destroy({balls.back()});
+    scene.run(1);
+    EXPECT_EQ(causes.entries.size(), balls.size() - 1);
+    EXPECT_TRUE(causes.of(balls.back()).empty());
 }
 
 TEST_P(Causes, IncludeThoseOfEndsOfContacts) {
