@@ -4,6 +4,7 @@
 #include "game/ui/app/dropped_file.hpp"
 #include "game/ui/app/title/title_screen.hpp"
 #include "game/ui/edit/edit_screen.hpp"
+#include "game/ui/play/mouse/second_player.hpp"
 #include "game/ui/play/play_screen.hpp"
 #include "game/ui/shared/shown_faults.hpp"
 #include "game/ui/shared/texts.hpp"
@@ -227,6 +228,7 @@ bool GameApp::frame(double seconds, bool seen) {
     bool const two = screen_->hasSecondHand() && !menu_.isOpen();
     bool const last = context_.profile.settings().padIsSecond;
     context_.pads.setUse(!two ? PadUse::together : last ? PadUse::lastApart : PadUse::secondApart);
+    context_.pads.setSecondButtons(secondPadButtons(context_.keys));
     context_.input.poll();
     context_.letters.takeInput(context_.input, context_.keys, seconds);
     context_.pictures.beginFrame();

@@ -28,10 +28,12 @@ enum class PadPhase : std::uint8_t {
     past,
     /// While the arrow keys and the directional pad move the view.
     view,
+    /// At all times, but only on the second player's gamepad, whose buttons no other command has then.
+    secondPlayer,
 };
 
 /// The section of the page of keys in which a command is listed.
-enum class CommandGroup : std::uint8_t { building, running, looking, program, editing, menus };
+enum class CommandGroup : std::uint8_t { building, running, secondPlayer, looking, program, editing, menus };
 
 /// Name and look of a switch while it is on; nullptr or None: the same as while it is off.
 struct WhenOn {

@@ -62,6 +62,8 @@ char const* titleOf(CommandGroup group) {
         return words::groupBuilding;
     case CommandGroup::running:
         return words::groupRunning;
+    case CommandGroup::secondPlayer:
+        return words::groupSecondPlayer;
     case CommandGroup::looking:
         return words::groupLooking;
     case CommandGroup::editing:
@@ -118,8 +120,9 @@ std::string keysMarkdown(KeyBindings const& bindings) {
 
 std::string gesturesMarkdown(std::span<Gesture const> gestures) {
     std::string text;
-    for (CommandGroup const group : {CommandGroup::building, CommandGroup::running, CommandGroup::looking,
-                                     CommandGroup::program, CommandGroup::editing, CommandGroup::menus}) {
+    for (CommandGroup const group :
+         {CommandGroup::building, CommandGroup::running, CommandGroup::secondPlayer, CommandGroup::looking,
+          CommandGroup::program, CommandGroup::editing, CommandGroup::menus}) {
         std::string rows;
         for (Gesture const& gesture : gestures) {
             if (gesture.group == group) {
