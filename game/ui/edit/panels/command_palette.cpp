@@ -2,6 +2,7 @@
 
 #include "game/ui/edit/edit_words.hpp"
 #include "game/ui/edit/files/file_browser.hpp"
+#include "game/ui/shared/commands/named_keys.hpp"
 #include "render/draw/palette.hpp"
 #include "render/panels/theme.hpp"
 
@@ -52,7 +53,7 @@ std::optional<std::size_t> CommandPalette::draw(UiContext& context, CommandSet c
     for (std::size_t i = 0; i < commands.size(); ++i) {
         CommandInfo const& info = commands.info(i);
         if (commands.available(i) && !info.leads &&
-            fitsSearch(std::string(info.name) + " " + info.tip, typed_)) {
+            fitsSearch(std::string(info.name) + " " + shownTip(info, false, context.keys), typed_)) {
             shown.push_back(i);
         }
     }
@@ -89,7 +90,7 @@ std::optional<std::size_t> CommandPalette::draw(UiContext& context, CommandSet c
         }
         context.layout.item("run " + std::string(info.id));
         if (ImGui::IsItemHovered()) {
-            ImGui::SetTooltip("%s", static_cast<char const*>(info.tip));
+            ImGui::SetTooltip("%s", shownTip(info, false, context.keys).c_str());
         }
         if (row == chosen_ && moved) {
             ImGui::SetScrollHereY();

@@ -60,6 +60,8 @@ struct CommandInfo {
     CommandGroup group = CommandGroup::program;
     Phrase name = ""; ///< on buttons and in the list of keys
     Phrase tip = "";  ///< one line, without the key
+    /// The id of the command whose keys fill the gap "{}" of the tip; "" if it has none. See shownTip().
+    std::string_view tipKey{};
     /// Description on the page of keys, as short as possible. Adjacent commands with equal texts share a row.
     Phrase help = "";
     WhenOn whenOn{};

@@ -264,13 +264,4 @@ std::string withKey(std::string const& text, std::string_view id, KeyBindings co
     return keys.empty() ? text : text + " (" + labelOf(keys.front()) + ")";
 }
 
-std::string tipOf(CommandInfo const& command, bool on, KeyBindings const& bindings) {
-    std::string const tip = on && command.whenOn.tip != nullptr ? command.whenOn.tip : command.tip;
-    auto const keys = bindings.keysOf(command.id);
-    if (command.use == KeyUse::held && !keys.empty()) {
-        return tip + " (" + words::hold(labelOf(keys.front())) + ")";
-    }
-    return withKey(tip, keys.empty() ? command.alsoBy : command.id, bindings);
-}
-
 } // namespace trembler::ui
