@@ -57,7 +57,8 @@ GameApp::GameApp(render::Window& window, Registry const& registry, PartLibrary c
                .solutions =
                    SavedSolutions(options.profile.empty() ? options.pictures / "solutions"
                                                           : besideProfile(options.profile, "solutions")),
-               .loudspeaker = options.loudspeaker},
+               .loudspeaker = options.loudspeaker,
+               .stopwatch = options.stopwatch},
       screen_(std::make_unique<TitleScreen>(context_)) {
     // A cursor that blinks would have the window drawn all the time.
     ImGui::GetIO().ConfigInputTextCursorBlink = false;
