@@ -1,8 +1,10 @@
 #include "render/window/pad_keys.hpp"
 
+#include "runtime/file/lower_case.hpp"
+
 #include <algorithm>
 #include <array>
-#include <cctype>
+#include <string>
 
 namespace trembler::render {
 namespace {
@@ -68,12 +70,9 @@ std::string_view nameOfPadKey(SDL_Keycode key) {
 }
 
 std::optional<SDL_Keycode> padKeyFrom(std::string_view name) {
-    auto const same = [](char a, char b) {
-        return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
-    };
-    auto const found = std::find_if(padNames.begin(), padNames.end(), [&](PadName const& known) {
-        return std::equal(known.name.begin(), known.name.end(), name.begin(), name.end(), same);
-    });
+    std::string const wanted = inLowerCase(name);
+    auto const found = std::find_if(padNames.begin(), padNames.end(),
+                                    [&](PadName const& known) { return inLowerCase(known.name) == wanted; });
     return found == padNames.end() ? std::nullopt : std::optional(found->key);
 }
 

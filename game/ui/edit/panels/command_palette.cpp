@@ -5,9 +5,9 @@
 #include "game/ui/shared/commands/named_keys.hpp"
 #include "render/draw/palette.hpp"
 #include "render/panels/theme.hpp"
+#include "runtime/file/lower_case.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <sstream>
 #include <vector>
 
@@ -16,17 +16,11 @@ namespace {
 
 using namespace render;
 
-std::string lowerCase(std::string text) {
-    std::transform(text.begin(), text.end(), text.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return text;
-}
-
 } // namespace
 
 bool fitsSearch(std::string const& text, std::string const& typed) {
-    std::string const all = lowerCase(text);
-    std::istringstream words(lowerCase(typed));
+    std::string const all = inLowerCase(text);
+    std::istringstream words(inLowerCase(typed));
     for (std::string word; words >> word;) {
         if (all.find(word) == std::string::npos) {
             return false;
