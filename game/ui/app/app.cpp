@@ -250,9 +250,9 @@ bool GameApp::frame(double seconds, bool seen) {
         context_.window.beginFrame(render::palette::paper);
         screen_->draw();
     }
-    std::vector<render::Toasts::Rectangle> kept; // cards, on which messages would hide words or buttons
+    std::vector<Rect> kept; // cards, on which messages would hide words or buttons
     for (Placed const& card : context_.layout.cards()) {
-        kept.emplace_back(card.rect.low, card.rect.high);
+        kept.push_back(card.rect);
     }
     context_.toasts.draw(seconds, kept); // seen or not, they grow older
     if (drawn) {
