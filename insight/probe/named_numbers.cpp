@@ -1,9 +1,9 @@
 #include "insight/probe/named_numbers.hpp"
 
+#include "runtime/file/lower_case.hpp"
 #include "runtime/level/json/suggestion.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <optional>
 #include <stdexcept>
 
@@ -13,13 +13,6 @@ namespace {
 bool canBePlotted(WatchedField const& field) {
     return field.type != FieldType::text && field.type != FieldType::object &&
            field.type != FieldType::choice;
-}
-
-std::string inLowerCase(std::string_view text) {
-    std::string lower(text);
-    std::transform(lower.begin(), lower.end(), lower.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return lower;
 }
 
 /// The longest name of an object that begins the word and is followed by a dot.

@@ -1,14 +1,13 @@
 // The names of placed objects in a run that does without some of the placements.
 #pragma once
 
+#include "puzzle/session/renaming.hpp"
 #include "runtime/level/model/level.hpp"
 
 #include <cstddef>
 #include <set>
 #include <span>
 #include <string>
-#include <utility>
-#include <vector>
 
 namespace trembler::insight {
 
@@ -33,11 +32,7 @@ public:
     [[nodiscard]] bool empty() const { return renamed_.empty(); }
 
 private:
-    /// A placed object's names in the whole and in the reduced run; the second is empty if it is gone.
-    using Both = std::pair<std::string, std::string>;
-
-    std::vector<Both> renamed_; // of those whose names differ
-    std::set<std::string> own_; // the level's names
+    Renaming renamed_; // from the whole run to the reduced one
 };
 
 } // namespace trembler::insight

@@ -4,16 +4,13 @@
 #include "lua/binding/script.hpp"
 #include "lua/component/script_log.hpp"
 #include "lua/component/script_store.hpp"
+#include "lua/component/script_targets.hpp"
 #include "lua/component/turn.hpp"
 #include "runtime/component/component.hpp"
 
 #include <memory>
 #include <optional>
 #include <vector>
-
-namespace trembler {
-struct Contacts;
-}
 
 namespace trembler::lua {
 
@@ -50,17 +47,6 @@ public:
 
 private:
     void applyScript(FrameContext const& context);
-    void findTargets(FrameContext const& context);
-    void findEach();
-    void findPairs();
-    void findTouching();
-    void findNear();
-    [[nodiscard]] std::vector<ObjectId> havingAll(std::vector<std::size_t> const& needed,
-                                                  bool attached) const;
-    [[nodiscard]] bool hasAll(ObjectId id, std::vector<std::size_t> const& needed, bool attached) const;
-    [[nodiscard]] ScriptUse const* useOf(ObjectId id) const;
-    [[nodiscard]] double reachOf(ScriptUse const* use) const;
-    [[nodiscard]] bool targetsStand();
     void switchOff(FrameContext const& context, ScriptError const& failed);
 
     void bindReads(Store& store);
@@ -79,8 +65,7 @@ private:
     std::unique_ptr<OpenSource> source_;
     ScriptStore kept_;
     std::unique_ptr<Turns> turns_; // the Lua state; made for the first turn
-    std::vector<Target> targets_;  // of the turn under way, or of the last one: they point into a column
-    std::vector<std::uint64_t> targetsOf_; // the state of the columns by which they were found
+    ScriptTargets targets_;
     Store const* store_ = nullptr;
 };
 

@@ -17,8 +17,7 @@ void ScriptedInteraction::replace(Store& store, std::shared_ptr<Script const> sc
     kept_ = std::move(kept);
     turns_.reset();
     frame_.reset();
-    targets_.clear();
-    targetsOf_.clear();
+    targets_ = {};
     restless_ = script->manifest.restless;
     script_ = std::move(script);
     bindReads(store);

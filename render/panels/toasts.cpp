@@ -34,66 +34,66 @@ std::pair<Colour, Icon> lookOf(ToastKind kind) {
     return {accent, Icon::Next};
 }
 
-/// A rectangle of the window, pixels.
-struct Box {
-    ImVec2 low;
-    ImVec2 high;
-
-    [[nodiscard]] bool overlaps(Box const& other) const {
-        return low.x < other.high.x && other.low.x < high.x && low.y < other.high.y && other.low.y < high.y;
-    }
-};
-
 struct ToastPlace {
-    Box box;
+    Rect rect;
     float textWidth; ///< at which its lines are broken
 };
 
+double inPixels(float length) {
+    return static_cast<double>(scaled(length));
+}
+
 /// The middle of the window, and those between any two edges of the rectangles.
-std::vector<float> middlesBetween(std::span<Box const> taken, float screen) {
-    std::vector<float> middles{0.5F * screen};
-    std::vector<float> edges{0, screen};
-    for (Box const& box : taken) {
-        edges.push_back(box.low.x);
-        edges.push_back(box.high.x);
+std::vector<double> middlesBetween(std::span<Rect const> taken, double screen) {
+    std::vector<double> middles{0.5 * screen};
+    std::vector<double> edges{0, screen};
+    for (Rect const& rect : taken) {
+        edges.push_back(rect.low.x);
+        edges.push_back(rect.high.x);
     }
     std::sort(edges.begin(), edges.end());
     for (std::size_t i = 0; i < edges.size(); ++i) {
         for (std::size_t j = i + 1; j < edges.size(); ++j) {
-            middles.push_back(0.5F * (edges[i] + edges[j]));
+            middles.push_back(0.5 * (edges[i] + edges[j]));
         }
     }
     return middles;
 }
 
+/// The size of a message with lines of at most that width.
+Point sizeOf(std::string const& words, float most) {
+    ImVec2 const text = ImGui::CalcTextSize(words.c_str(), nullptr, false, most);
+    return {static_cast<double>(text.x) + inPixels(markSize) + 3 * inPixels(paddingSize),
+            std::max(static_cast<double>(text.y), inPixels(markSize)) + 2 * inPixels(10)};
+}
+
 /// The place of which the lower edge is highest; in the middle of the window if all are equal, or if there is
 /// none.
-ToastPlace placeOf(std::string const& words, std::span<Box const> taken) {
-    ImVec2 const screen = ImGui::GetIO().DisplaySize;
-    float const edge = scaled(8);
-    std::vector<float> const middles = middlesBetween(taken, screen.x);
-    std::vector<float> tops{scaled(18)};
-    for (Box const& box : taken) {
-        tops.push_back(box.high.y + scaled(toastGap));
+ToastPlace placeOf(std::string const& words, std::span<Rect const> taken) {
+    ImVec2 const display = ImGui::GetIO().DisplaySize;
+    Point const screen{static_cast<double>(display.x), static_cast<double>(display.y)};
+    double const edge = inPixels(8);
+    std::vector<double> const middles = middlesBetween(taken, screen.x);
+    std::vector<double> tops{inPixels(18)};
+    for (Rect const& rect : taken) {
+        tops.push_back(rect.high.y + inPixels(toastGap));
     }
     std::optional<ToastPlace> best;
     std::optional<ToastPlace> usual;
     for (float const share : {0.4F, 0.28F, 0.2F, 0.14F}) {
-        float const most = share * screen.x;
-        ImVec2 const text = ImGui::CalcTextSize(words.c_str(), nullptr, false, most);
-        ImVec2 const size{text.x + scaled(markSize) + 3 * scaled(paddingSize),
-                          std::max(text.y, scaled(markSize)) + 2 * scaled(10)};
-        for (float const middle : middles) {
-            for (float const top : tops) {
-                Box const box{{middle - 0.5F * size.x, top}, {middle + 0.5F * size.x, top + size.y}};
-                usual = usual ? usual : ToastPlace{box, most};
-                bool const inside = box.low.x >= edge && box.high.x <= screen.x - edge && box.low.y >= 0 &&
-                                    box.high.y <= screen.y - edge;
-                bool const better = !best || box.high.y < best->box.high.y - 1;
-                if (inside && better && std::none_of(taken.begin(), taken.end(), [&](Box const& other) {
-                        return box.overlaps(other);
+        float const most = share * display.x;
+        Point const size = sizeOf(words, most);
+        for (double const middle : middles) {
+            for (double const top : tops) {
+                Rect const rect{{middle - 0.5 * size.x, top}, {middle + 0.5 * size.x, top + size.y}};
+                usual = usual ? usual : ToastPlace{rect, most};
+                bool const inside = rect.low.x >= edge && rect.high.x <= screen.x - edge && rect.low.y >= 0 &&
+                                    rect.high.y <= screen.y - edge;
+                bool const better = !best || rect.high.y < best->rect.high.y - 1;
+                if (inside && better && std::none_of(taken.begin(), taken.end(), [&](Rect const& other) {
+                        return rect.overlaps(other);
                     })) {
-                    best = ToastPlace{box, most};
+                    best = ToastPlace{rect, most};
                 }
             }
         }
@@ -111,13 +111,9 @@ void Toasts::add(std::string text, ToastKind kind, double seconds) {
     toasts_.push_back({std::move(text), kind, std::clamp(seconds, 0.5, 60.0), 0});
 }
 
-void Toasts::draw(double seconds, std::span<Rectangle const> kept) {
+void Toasts::draw(double seconds, std::span<Rect const> kept) {
     auto& list = *ImGui::GetForegroundDrawList();
-    std::vector<Box> taken;
-    for (auto const& [low, high] : kept) {
-        taken.push_back({{static_cast<float>(low.x), static_cast<float>(low.y)},
-                         {static_cast<float>(high.x), static_cast<float>(high.y)}});
-    }
+    std::vector<Rect> taken(kept.begin(), kept.end());
     ImGui::PushFont(theme().fonts.strong);
     for (auto& toast : toasts_) {
         toast.age += seconds;
@@ -129,11 +125,11 @@ void Toasts::draw(double seconds, std::span<Rectangle const> kept) {
         ImVec2 const text = ImGui::CalcTextSize(toast.text.c_str(), nullptr, false, most);
         float const mark = scaled(markSize);
         float const padding = scaled(paddingSize);
-        float const width = place.high.x - place.low.x;
-        float const height = place.high.y - place.low.y;
-        taken.push_back({place.low, {place.high.x, place.low.y + shown * (height + scaled(toastGap))}});
-        ImVec2 const low = place.low;
-        ImVec2 const high{low.x + width, low.y + height};
+        // One that fades lets go of its room.
+        double const height = place.high.y - place.low.y + inPixels(toastGap);
+        taken.push_back({place.low, {place.high.x, place.low.y + static_cast<double>(shown) * height}});
+        ImVec2 const low{static_cast<float>(place.low.x), static_cast<float>(place.low.y)};
+        ImVec2 const high{static_cast<float>(place.high.x), static_cast<float>(place.high.y)};
         float const rounding = scaled(10);
         list.AddRectFilled({low.x, low.y + scaled(4)}, {high.x, high.y + scaled(4)},
                            imColour(faded(shadow, shown)), rounding);

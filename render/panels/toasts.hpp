@@ -1,13 +1,12 @@
 // Short messages that appear at the edge of the window and disappear by themselves.
 #pragma once
 
-#include "render/draw/geometry.hpp"
+#include "render/panels/rect.hpp"
 
 #include <cstdint>
 #include <deque>
 #include <span>
 #include <string>
-#include <utility>
 
 namespace trembler::render {
 
@@ -20,13 +19,11 @@ public:
     /// removed when there are five.
     void add(std::string text, ToastKind kind = ToastKind::News, double seconds = 4);
 
-    /// Corners of a rectangle of the window, pixels from the top left.
-    using Rectangle = std::pair<Point, Point>;
     /// Draws them near the top of the window and lets `seconds` pass; between Gui::beginFrame and endFrame.
     /// Each is as high in the window as it can be without lying on a rectangle of `kept` or on an earlier
     /// toast, and is broken into shorter lines where that helps; it lies on `kept` only where there is no
     /// other room.
-    void draw(double seconds, std::span<Rectangle const> kept = {});
+    void draw(double seconds, std::span<Rect const> kept = {});
 
     [[nodiscard]] std::size_t count() const { return toasts_.size(); }
     /// The text of the newest toast that is shown; "" if there is none.

@@ -3,62 +3,9 @@
 #include <SDL.h>
 
 #include <algorithm>
-#include <cctype>
-#include <cmath>
 #include <iterator>
 
 namespace trembler::render {
-namespace {
-
-constexpr int pastHalf = 16384; // of 32767
-constexpr int backAtThird = 10922;
-
-struct PadName {
-    SDL_Keycode key;
-    std::string_view name;
-};
-
-constexpr std::array padNames{
-    PadName{padKey(SDL_CONTROLLER_BUTTON_A), "Pad A"},
-    PadName{padKey(SDL_CONTROLLER_BUTTON_B), "Pad B"},
-    PadName{padKey(SDL_CONTROLLER_BUTTON_X), "Pad X"},
-    PadName{padKey(SDL_CONTROLLER_BUTTON_Y), "Pad Y"},
-    PadName{padKey(SDL_CONTROLLER_BUTTON_BACK), "Pad Back"},
-    PadName{padKey(SDL_CONTROLLER_BUTTON_GUIDE), "Pad Guide"},
-    PadName{padKey(SDL_CONTROLLER_BUTTON_START), "Pad Start"},
-    PadName{padKey(SDL_CONTROLLER_BUTTON_LEFTSTICK), "Pad Left stick"},
-    PadName{padKey(SDL_CONTROLLER_BUTTON_RIGHTSTICK), "Pad Right stick"},
-    PadName{padKey(SDL_CONTROLLER_BUTTON_LEFTSHOULDER), "Pad L1"},
-    PadName{padKey(SDL_CONTROLLER_BUTTON_RIGHTSHOULDER), "Pad R1"},
-    PadName{padLeftTrigger, "Pad L2"},
-    PadName{padRightTrigger, "Pad R2"},
-    PadName{padRightStickLeft, "Pad RS Left"},
-    PadName{padRightStickRight, "Pad RS Right"},
-    PadName{padRightStickUp, "Pad RS Up"},
-    PadName{padRightStickDown, "Pad RS Down"},
-    PadName{padKey(SDL_CONTROLLER_BUTTON_DPAD_UP), "Pad Up"},
-    PadName{padKey(SDL_CONTROLLER_BUTTON_DPAD_DOWN), "Pad Down"},
-    PadName{padKey(SDL_CONTROLLER_BUTTON_DPAD_LEFT), "Pad Left"},
-    PadName{padKey(SDL_CONTROLLER_BUTTON_DPAD_RIGHT), "Pad Right"},
-};
-
-} // namespace
-
-std::string_view nameOfPadKey(SDL_Keycode key) {
-    auto const found = std::find_if(padNames.begin(), padNames.end(),
-                                    [&](PadName const& known) { return known.key == key; });
-    return found == padNames.end() ? std::string_view() : found->name;
-}
-
-std::optional<SDL_Keycode> padKeyFrom(std::string_view name) {
-    auto const same = [](char a, char b) {
-        return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
-    };
-    auto const found = std::find_if(padNames.begin(), padNames.end(), [&](PadName const& known) {
-        return std::equal(known.name.begin(), known.name.end(), name.begin(), name.end(), same);
-    });
-    return found == padNames.end() ? std::nullopt : std::optional(found->key);
-}
 
 Gamepads::Gamepads() : started_(SDL_InitSubSystem(SDL_INIT_GAMECONTROLLER) == 0) {}
 
@@ -89,22 +36,26 @@ void Gamepads::unplug(SDL_JoystickID id, std::vector<SDL_Event>& events) {
     }
     SDL_GameControllerClose(found->second);
     pads_.erase(found);
-    secondHeld_ = {};
-    secondX_ = secondY_ = 0;
-    for (SDL_Keycode const key : std::vector<SDL_Keycode>(held_)) { // their release will never be reported
-        press(key, false, events);
+    second_.letGo();
+    for (auto const& [pad, key] : std::vector(held_)) { // their release will never be reported
+        if (pad == id) {
+            press(pad, key, false, events);
+        }
     }
 }
 
-void Gamepads::press(SDL_Keycode key, bool down, std::vector<SDL_Event>& events) {
-    bool const held = std::find(held_.begin(), held_.end(), key) != held_.end();
-    if (held == down) {
-        return;
-    }
+bool Gamepads::anyHolds(SDL_Keycode key) const {
+    return std::any_of(held_.begin(), held_.end(), [&](auto const& held) { return held.second == key; });
+}
+
+void Gamepads::press(SDL_JoystickID pad, SDL_Keycode key, bool down, std::vector<SDL_Event>& events) {
+    bool const before = anyHolds(key);
+    std::erase(held_, std::pair(pad, key));
     if (down) {
-        held_.push_back(key);
-    } else {
-        std::erase(held_, key);
+        held_.emplace_back(pad, key);
+    }
+    if (before == anyHolds(key)) {
+        return;
     }
     SDL_Event event{};
     event.type = down ? SDL_KEYDOWN : SDL_KEYUP;
@@ -114,44 +65,23 @@ void Gamepads::press(SDL_Keycode key, bool down, std::vector<SDL_Event>& events)
     events.push_back(event);
 }
 
-void Gamepads::moveAxis(SDL_ControllerAxisEvent const& axis, std::vector<SDL_Event>& events) {
-    auto const direction = [&](SDL_Keycode key, int value) {
-        bool const held = std::find(held_.begin(), held_.end(), key) != held_.end();
-        press(key, value > (held ? backAtThird : pastHalf), events);
-    };
-    switch (axis.axis) {
-    case SDL_CONTROLLER_AXIS_LEFTX:
-        direction(padKey(SDL_CONTROLLER_BUTTON_DPAD_LEFT), -axis.value);
-        direction(padKey(SDL_CONTROLLER_BUTTON_DPAD_RIGHT), axis.value);
-        break;
-    case SDL_CONTROLLER_AXIS_LEFTY:
-        direction(padKey(SDL_CONTROLLER_BUTTON_DPAD_UP), -axis.value);
-        direction(padKey(SDL_CONTROLLER_BUTTON_DPAD_DOWN), axis.value);
-        break;
-    case SDL_CONTROLLER_AXIS_RIGHTX:
-        direction(padRightStickLeft, -axis.value);
-        direction(padRightStickRight, axis.value);
-        break;
-    case SDL_CONTROLLER_AXIS_RIGHTY:
-        direction(padRightStickUp, -axis.value);
-        direction(padRightStickDown, axis.value);
-        break;
-    case SDL_CONTROLLER_AXIS_TRIGGERLEFT:
-        direction(padLeftTrigger, axis.value);
-        break;
-    case SDL_CONTROLLER_AXIS_TRIGGERRIGHT:
-        direction(padRightTrigger, axis.value);
-        break;
-    default:
-        break;
+void Gamepads::give(SDL_JoystickID pad, PadMotion const& motion, std::vector<SDL_Event>& events) {
+    bool const held = std::find(held_.begin(), held_.end(), std::pair(pad, motion.key)) != held_.end();
+    bool const down = isPressed(motion.way, held);
+    if (!isSecond(pad) || !second_.moves(motion.key)) {
+        press(pad, motion.key, down, events);
+        return;
+    }
+    second_.take(motion);
+    if (!down) { // it may have been pressed while the gamepad still gave keys
+        press(pad, motion.key, false, events);
     }
 }
 
 void Gamepads::setUse(PadUse use) {
     if (use != use_) {
         use_ = use;
-        secondHeld_ = {};
-        secondX_ = secondY_ = 0;
+        second_.letGo();
     }
 }
 
@@ -171,56 +101,11 @@ std::optional<SecondPad> Gamepads::second() const {
     if (!there) {
         return std::nullopt;
     }
-    auto const held = [&](SDL_GameControllerButton button) {
-        return secondHeld_[static_cast<std::size_t>(button)] ? 1.0 : 0.0;
-    };
-    double const x = held(SDL_CONTROLLER_BUTTON_DPAD_RIGHT) - held(SDL_CONTROLLER_BUTTON_DPAD_LEFT);
-    double const y = held(SDL_CONTROLLER_BUTTON_DPAD_UP) - held(SDL_CONTROLLER_BUTTON_DPAD_DOWN);
-    return SecondPad{std::clamp(x + secondX_, -1.0, 1.0), std::clamp(y + secondY_, -1.0, 1.0),
-                     held(SDL_CONTROLLER_BUTTON_A) > 0};
-}
-
-bool Gamepads::takeSecond(SDL_Event const& event, std::vector<SDL_Event>& events) {
-    if (event.type == SDL_CONTROLLERAXISMOTION && isSecond(event.caxis.which)) {
-        constexpr double atRest = 0.2; // sticks do not come back to their middle exactly
-        double const way = event.caxis.value / 32767.0;
-        double const value = std::abs(way) < atRest ? 0 : way;
-        if (event.caxis.axis == SDL_CONTROLLER_AXIS_LEFTX) {
-            secondX_ = value;
-        } else if (event.caxis.axis == SDL_CONTROLLER_AXIS_LEFTY) {
-            secondY_ = -value;
-        } else {
-            return false;
-        }
-        return true;
-    }
-    bool const button = event.type == SDL_CONTROLLERBUTTONDOWN || event.type == SDL_CONTROLLERBUTTONUP;
-    if (!button || !isSecond(event.cbutton.which)) {
-        return false;
-    }
-    switch (event.cbutton.button) {
-    case SDL_CONTROLLER_BUTTON_A:
-    case SDL_CONTROLLER_BUTTON_DPAD_UP:
-    case SDL_CONTROLLER_BUTTON_DPAD_DOWN:
-    case SDL_CONTROLLER_BUTTON_DPAD_LEFT:
-    case SDL_CONTROLLER_BUTTON_DPAD_RIGHT:
-        break;
-    default:
-        return false;
-    }
-    bool const down = event.type == SDL_CONTROLLERBUTTONDOWN;
-    secondHeld_[event.cbutton.button] = down;
-    if (!down) { // the button may have been pressed while the gamepad still gave keys
-        press(padKey(static_cast<SDL_GameControllerButton>(event.cbutton.button)), false, events);
-    }
-    return true;
+    return second_.now();
 }
 
 std::vector<SDL_Event> Gamepads::take(SDL_Event const& event) {
     std::vector<SDL_Event> events;
-    if (takeSecond(event, events)) {
-        return events;
-    }
     switch (event.type) {
     case SDL_CONTROLLERDEVICEADDED:
         plug(event.cdevice.which);
@@ -230,12 +115,14 @@ std::vector<SDL_Event> Gamepads::take(SDL_Event const& event) {
         break;
     case SDL_CONTROLLERBUTTONDOWN:
     case SDL_CONTROLLERBUTTONUP:
-        press(padKey(static_cast<SDL_GameControllerButton>(event.cbutton.button)),
-              event.type == SDL_CONTROLLERBUTTONDOWN, events);
+    case SDL_CONTROLLERAXISMOTION: {
+        bool const axis = event.type == SDL_CONTROLLERAXISMOTION;
+        SDL_JoystickID const pad = axis ? event.caxis.which : event.cbutton.which;
+        for (PadMotion const& motion : motionsOf(event)) {
+            give(pad, motion, events);
+        }
         break;
-    case SDL_CONTROLLERAXISMOTION:
-        moveAxis(event.caxis, events);
-        break;
+    }
     default:
         break;
     }

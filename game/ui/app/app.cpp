@@ -4,6 +4,7 @@
 #include "game/ui/app/dropped_file.hpp"
 #include "game/ui/app/title/title_screen.hpp"
 #include "game/ui/edit/edit_screen.hpp"
+#include "game/ui/play/mouse/second_player.hpp"
 #include "game/ui/play/play_screen.hpp"
 #include "game/ui/shared/shown_faults.hpp"
 #include "game/ui/shared/texts.hpp"
@@ -56,7 +57,8 @@ GameApp::GameApp(render::Window& window, Registry const& registry, PartLibrary c
                .solutions =
                    SavedSolutions(options.profile.empty() ? options.pictures / "solutions"
                                                           : besideProfile(options.profile, "solutions")),
-               .loudspeaker = options.loudspeaker},
+               .loudspeaker = options.loudspeaker,
+               .stopwatch = options.stopwatch},
       screen_(std::make_unique<TitleScreen>(context_)) {
     // A cursor that blinks would have the window drawn all the time.
     ImGui::GetIO().ConfigInputTextCursorBlink = false;
@@ -227,6 +229,7 @@ bool GameApp::frame(double seconds, bool seen) {
     bool const two = screen_->hasSecondHand() && !menu_.isOpen();
     bool const last = context_.profile.settings().padIsSecond;
     context_.pads.setUse(!two ? PadUse::together : last ? PadUse::lastApart : PadUse::secondApart);
+    context_.pads.setSecondButtons(secondPadButtons(context_.keys));
     context_.input.poll();
     context_.letters.takeInput(context_.input, context_.keys, seconds);
     context_.pictures.beginFrame();
@@ -247,9 +250,9 @@ bool GameApp::frame(double seconds, bool seen) {
         context_.window.beginFrame(render::palette::paper);
         screen_->draw();
     }
-    std::vector<render::Toasts::Rectangle> kept; // cards, on which messages would hide words or buttons
+    std::vector<Rect> kept; // cards, on which messages would hide words or buttons
     for (Placed const& card : context_.layout.cards()) {
-        kept.emplace_back(card.rect.low, card.rect.high);
+        kept.push_back(card.rect);
     }
     context_.toasts.draw(seconds, kept); // seen or not, they grow older
     if (drawn) {

@@ -29,6 +29,7 @@ struct GameOptions {
     /// The levels as a game with the same levels, data and mods has read them; copied. nullptr: all levels
     /// are read now.
     LevelCatalog const* catalog = nullptr;
+    budget::BudgetMode::Stopwatch stopwatch{}; ///< of the time budget; empty: the computer's clock
 };
 
 /// Advances one picture per call, so that tests can drive it with pushed SDL events. Only on the window's

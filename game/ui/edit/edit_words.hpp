@@ -116,8 +116,11 @@ inline char const* const& pieceFieldTip = editWord(
     "of its main piece");
 inline char const* const& resetPiece = editWord("Reset this piece");
 inline char const* const& resetPieceTip = editWord("Everything about it as the part states it");
-inline char const* const& pieceStays =
-    editWord("A piece of a part cannot be removed; Esc selects the whole object");
+inline char const* const& pieceStaysText =
+    editWord("A piece of a part cannot be removed; {} selects the whole object");
+[[nodiscard]] inline std::string pieceStays(std::string const& back) {
+    return filledIn(pieceStaysText, back);
+}
 inline char const* const& mirroredTip =
     editWord("Left and right swapped, about its own vertical axis, before it is turned");
 inline char const* const& severalObjectsText = editWord("{} objects");
@@ -171,7 +174,10 @@ inline char const* const& demonstrationField = editWord("Demonstration: solves i
 inline char const* const& translationsHeading = editWord("Other languages");
 inline char const* const& languageField = editWord("Language");
 inline char const* const& addLanguageField = editWord("Add a language");
-inline char const* const& addLanguageTip = editWord("Two small letters, like de or fr; then Enter");
+inline char const* const& addLanguageTipText = editWord("Two small letters, like de or fr; then {}");
+[[nodiscard]] inline std::string addLanguageTip(std::string const& key) {
+    return filledIn(addLanguageTipText, key);
+}
 inline char const* const& removeLanguage = editWord("Remove this language");
 inline char const* const& hintField = editWord("Hint {}");
 inline char const* const& goalWithId = editWord("Goal \"{}\"");

@@ -4,6 +4,7 @@
 #include "game/ui/play/commands/play_commands.hpp"
 #include "game/ui/play/field_drawing.hpp"
 #include "game/ui/play/lesson/lesson_drawing.hpp"
+#include "game/ui/play/mouse/second_player.hpp"
 #include "game/ui/play/whatif/what_if_card.hpp"
 #include "game/ui/shared/commands/carry_out_keys.hpp"
 #include "game/ui/shared/texts.hpp"
@@ -160,7 +161,8 @@ void PlayScreen::handleKeysBesideCard() {
 void PlayScreen::useSecondPlayer(double seconds) {
     UiContext& context = parts_.context;
     auto const scale = static_cast<double>(context.window.uiScale());
-    parts_.secondPointer.look(context.pads.second(), seconds, parts_.camera(), scale);
+    bool const playsAlready = parts_.secondPointer.active();
+    parts_.secondPointer.look(secondPlayerNow(context, playsAlready), seconds, parts_.camera(), scale);
     bool const keyHeld = isHeld(context.input, context.keys, "second-hand");
     if (!parts_.secondPointer.active() || keyHeld || parts_.run.building() || parts_.run.watching() ||
         parts_.timeline.looksBack()) {

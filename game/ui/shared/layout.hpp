@@ -1,8 +1,8 @@
 // Positions of the cards of a picture: for hit tests with the mouse, and for tests that nothing overlaps.
 #pragma once
 
-#include "render/draw/geometry.hpp"
 #include "render/panels/cards.hpp"
+#include "render/panels/rect.hpp"
 
 #include <optional>
 #include <string>
@@ -11,19 +11,7 @@
 
 namespace trembler::ui {
 
-/// A rectangle of the window, pixels from the top left.
-struct Rect {
-    render::Point low;
-    render::Point high;
-
-    [[nodiscard]] bool contains(render::Point p) const {
-        return p.x >= low.x && p.x < high.x && p.y >= low.y && p.y < high.y;
-    }
-    [[nodiscard]] bool overlaps(Rect const& other) const {
-        return low.x < other.high.x && other.low.x < high.x && low.y < other.high.y && other.low.y < high.y;
-    }
-    [[nodiscard]] render::Point middle() const { return 0.5 * (low + high); }
-};
+using render::Rect;
 
 /// A named item on the screen: a card, or a button on one.
 struct Placed {

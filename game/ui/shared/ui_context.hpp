@@ -1,6 +1,7 @@
 // The objects that every screen of the program uses.
 #pragma once
 
+#include "game/budget/budget_mode.hpp"
 #include "game/ui/shared/catalog/kind_finder.hpp"
 #include "game/ui/shared/catalog/level_catalog.hpp"
 #include "game/ui/shared/catalog/level_pictures.hpp"
@@ -50,9 +51,10 @@ struct UiContext {
     Recorder recorder;
     SavedSolutions solutions;
     ScreenKeyboard letters{};
-    Loudspeaker* loudspeaker = nullptr; ///< nullptr: no sound
-    std::filesystem::path edited{};     ///< folder of the level that the editor saved last
-    bool shadows = true;                ///< soft shadows, if the settings and the graphics driver allow them
+    Loudspeaker* loudspeaker = nullptr;        ///< nullptr: no sound
+    budget::BudgetMode::Stopwatch stopwatch{}; ///< of time budgets; empty: the computer's clock
+    std::filesystem::path edited{};            ///< folder of the level that the editor saved last
+    bool shadows = true; ///< soft shadows, if the settings and the graphics driver allow them
 
     [[nodiscard]] bool shiftHeld() const { return (input.modifiers() & KMOD_SHIFT) != 0; }
     [[nodiscard]] bool controlHeld() const { return (input.modifiers() & KMOD_CTRL) != 0; }

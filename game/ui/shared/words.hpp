@@ -66,6 +66,7 @@ inline constexpr Phrase restart = "Start the level again";
 inline constexpr Phrase keys = "Keys";
 inline char const* const& groupBuilding = said("Building");
 inline char const* const& groupRunning = said("Running");
+inline char const* const& groupSecondPlayer = said("The second player");
 inline char const* const& groupLooking = said("Looking");
 inline char const* const& groupProgram = said("The program");
 inline char const* const& groupEditing = said("Editing levels");

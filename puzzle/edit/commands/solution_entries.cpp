@@ -1,5 +1,6 @@
 #include "puzzle/edit/commands/solutions.hpp"
 #include "puzzle/edit/tree/tree_access.hpp"
+#include "puzzle/session/renaming.hpp"
 #include "runtime/level/build/placing.hpp"
 
 #include <fmt/format.h>
@@ -7,9 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <functional>
-#include <map>
 #include <optional>
-#include <set>
 
 namespace trembler::edit {
 namespace {
@@ -60,41 +59,17 @@ std::vector<std::string> namesOfPlaced(Json const& level, Json const& solution) 
         placement.flipped = entry.is_object() && flipped != entry.end() && *flipped == true;
         placements.push_back(std::move(placement));
     }
-    std::vector<std::string> const sorted = placementNames(takenNames(level), placements);
-    std::vector<std::size_t> const order = canonicalOrder(placements);
-    std::vector<std::string> names(placements.size());
-    for (std::size_t i = 0; i < order.size(); ++i) {
-        names[order[i]] = placements[order[i]].part.empty() ? std::string() : sorted[i];
+    std::vector<std::string> names = namesAsStated(placements, placementNames(takenNames(level), placements));
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        names[i] = placements[i].part.empty() ? std::string() : names[i];
     }
     return names;
-}
-
-/// The new names of placed objects by their old ones; an empty one: it is gone.
-struct Renaming {
-    std::map<std::string, std::string> names;
-    std::set<std::string> own; ///< the level's objects, which keep theirs
-};
-
-/// The new name of an object or of a piece of it; nothing if it stays.
-std::optional<std::string> renamed(Renaming const& renaming, std::string const& name) {
-    if (renaming.own.contains(name)) {
-        return std::nullopt;
-    }
-    for (auto const& [before, now] : renaming.names) {
-        if (name == before) {
-            return now;
-        }
-        if (name.starts_with(before + " ")) {
-            return now.empty() ? now : now + name.substr(before.size());
-        }
-    }
-    return std::nullopt;
 }
 
 /// Renames what an entry refers to. Returns false if it refers to something that is gone.
 bool followNames(Json& value, Renaming const& renaming) {
     if (value.is_string()) {
-        auto const now = renamed(renaming, value.get<std::string>());
+        auto const now = renaming.newName(value.get<std::string>());
         if (now && now->empty()) {
             return false;
         }
@@ -118,16 +93,16 @@ void changePlacements(Json& level, Json& solution, std::function<void(Json&)> co
     std::vector<std::string> const before = namesOfPlaced(level, solution);
     change(solution[placementsKey]);
     std::vector<std::string> const now = namesOfPlaced(level, solution);
-    Renaming renaming{{}, takenNames(level)};
+    Renaming renaming(takenNames(level));
     for (std::size_t i = 0; i < before.size(); ++i) {
         std::size_t const shifted = goneIndex && i > *goneIndex ? i - 1 : i;
         std::size_t const to = i < order.size() ? order[i] : shifted;
         std::string const name = goneIndex == i || to >= now.size() ? std::string() : now[to];
-        if (!before[i].empty() && name != before[i]) {
-            renaming.names[before[i]] = name;
+        if (!before[i].empty()) {
+            renaming.add(before[i], name);
         }
     }
-    if (renaming.names.empty()) {
+    if (renaming.empty()) {
         return;
     }
     for (char const* const key : {"wires", "inputs"}) {

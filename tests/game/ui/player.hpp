@@ -13,6 +13,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <utility>
 
 namespace trembler::ui::test {
 
@@ -89,7 +90,8 @@ inline std::filesystem::path testFolder() {
 class Player {
 public:
     explicit Player(render::Size size = {1280, 720}, std::filesystem::path profile = {},
-                    std::filesystem::path levels = levelsFolder(), Loudspeaker* loudspeaker = nullptr) {
+                    std::filesystem::path levels = levelsFolder(), Loudspeaker* loudspeaker = nullptr,
+                    budget::BudgetMode::Stopwatch stopwatch = {}) {
         SDL_FlushEvents(SDL_FIRSTEVENT, SDL_LASTEVENT);
         window().resize(size);
         films_ = testFolder() / "films";
@@ -102,7 +104,8 @@ public:
                                                      .loudspeaker = loudspeaker,
                                                      .steady = true,
                                                      .levelData = dataWithMods,
-                                                     .catalog = catalog});
+                                                     .catalog = catalog,
+                                                     .stopwatch = std::move(stopwatch)});
         app_->context().shadows = false; // half the time of a picture, on a computer without a graphics card
         frames(3);
     }

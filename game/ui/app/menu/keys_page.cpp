@@ -1,6 +1,7 @@
 #include "game/ui/app/menu/keys_page.hpp"
 
 #include "game/ui/shared/commands/key_help.hpp"
+#include "game/ui/shared/commands/named_keys.hpp"
 #include "game/ui/shared/texts.hpp"
 #include "game/ui/shared/words.hpp"
 #include "render/draw/palette.hpp"
@@ -78,7 +79,7 @@ void KeysPage::drawRow(UiContext& context, CommandInfo const& command) {
                 (context.menuKeys.pressed(MenuKey::erase) || context.menuKeys.pressed(MenuKey::type));
     drawKeyRow(command, labelsOf(context.keys.keysOf(command.id)), waiting_ == &command, hovered);
     if (hovered && command.tip != command.name) {
-        ImGui::SetTooltip("%s", words::wrapped(command.tip, 60).c_str());
+        ImGui::SetTooltip("%s", words::wrapped(shownTip(command, false, context.keys), 60).c_str());
     }
     if (!command.essential) {
         ImGui::SameLine(0, scaled(4));
@@ -119,6 +120,15 @@ void KeysPage::drawRows(UiContext& context) {
     }
 }
 
+/// Esc ends the question whatever it is bound to, see cancelByEscape().
+std::string KeysPage::captionNow(UiContext const& context) const {
+    if (waiting()) {
+        return textWith("keys.press_or_esc", labelOf({SDLK_ESCAPE}));
+    }
+    return textWith("keys.hint", namedKeys({"menu-press"}, context.keys),
+                    namedKeys({"menu-erase", "menu-type"}, context.keys));
+}
+
 bool KeysPage::draw(UiContext& context) {
     taking_ = waiting();
     if (taking_) {
@@ -127,7 +137,7 @@ bool KeysPage::draw(UiContext& context) {
     Layout& layout = context.layout;
     layout.beginCard("key bindings", text("keys.change"), {.anchor = Anchor::Middle, .width = 560});
     ImGui::PushFont(theme().fonts.small);
-    caption(waiting() ? text("keys.press_or_esc") : text("keys.hint"));
+    caption(captionNow(context).c_str());
     ImGui::PushStyleColor(ImGuiCol_Text, imColour4(palette::warning));
     ImGui::TextUnformatted(complaint_.c_str());
     ImGui::PopStyleColor();

@@ -23,6 +23,7 @@ public:
 
 private:
     void takeKey(UiContext& context);
+    [[nodiscard]] std::string captionNow(UiContext const& context) const;
     void drawRows(UiContext& context);
     void drawRow(UiContext& context, CommandInfo const& command);
 

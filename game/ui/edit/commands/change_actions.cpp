@@ -1,6 +1,7 @@
 #include "game/ui/edit/commands/edit_actions.hpp"
 #include "game/ui/edit/edit_words.hpp"
 #include "game/ui/edit/view/edit_geometry.hpp"
+#include "game/ui/shared/commands/named_keys.hpp"
 #include "game/ui/shared/shown_faults.hpp"
 #include "game/ui/shared/texts.hpp"
 #include "puzzle/edit/commands/arrange.hpp"
@@ -74,7 +75,7 @@ bool deletePiece(EditParts& parts) {
     if (piece->stated) {
         parts.run([&](Json const& level) { return edit::resetPiece(level, parts.selected(), chosen); });
     } else {
-        parts.tell(words::pieceStays);
+        parts.tell(words::pieceStays(namedKeys({"back"}, parts.context.keys)));
     }
     return true;
 }

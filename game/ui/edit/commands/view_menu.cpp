@@ -198,7 +198,8 @@ constexpr Command<EditParts> editViewMenu[] = {
               .pad = {render::padKey(SDL_CONTROLLER_BUTTON_LEFTSTICK)},
               .group = CommandGroup::editing,
               .name = "Keys to the panel",
-              .tip = "Let the arrow keys, Tab and Enter, or a gamepad, work in the panel; Esc leads back",
+              .tip = "Let the keys of menus work in the panel; {} leads back",
+              .tipKey = "back",
               .help = "keys to the panel"},
      .run = actions::focusPanel},
 };

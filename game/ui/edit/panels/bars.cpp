@@ -4,6 +4,7 @@
 #include "game/ui/edit/edit_words.hpp"
 #include "game/ui/edit/panels/tool_icons.hpp"
 #include "game/ui/shared/commands/command_buttons.hpp"
+#include "game/ui/shared/commands/named_keys.hpp"
 #include "game/ui/shared/texts.hpp"
 #include "physics/dynamics/properties/joint.hpp"
 #include "render/draw/palette.hpp"
@@ -69,7 +70,7 @@ void drawMenu(EditParts& parts, EditMenu const& menu, CommandSet const& commands
         }
         layout.item("item " + std::string(command.info.id));
         if (ImGui::IsItemHovered()) {
-            ImGui::SetTooltip("%s", static_cast<char const*>(command.info.tip));
+            ImGui::SetTooltip("%s", shownTip(command.info, false, parts.context.keys).c_str());
         }
     }
     ImGui::EndPopup();

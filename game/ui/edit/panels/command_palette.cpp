@@ -2,11 +2,12 @@
 
 #include "game/ui/edit/edit_words.hpp"
 #include "game/ui/edit/files/file_browser.hpp"
+#include "game/ui/shared/commands/named_keys.hpp"
 #include "render/draw/palette.hpp"
 #include "render/panels/theme.hpp"
+#include "runtime/file/lower_case.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <sstream>
 #include <vector>
 
@@ -15,17 +16,11 @@ namespace {
 
 using namespace render;
 
-std::string lowerCase(std::string text) {
-    std::transform(text.begin(), text.end(), text.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return text;
-}
-
 } // namespace
 
 bool fitsSearch(std::string const& text, std::string const& typed) {
-    std::string const all = lowerCase(text);
-    std::istringstream words(lowerCase(typed));
+    std::string const all = inLowerCase(text);
+    std::istringstream words(inLowerCase(typed));
     for (std::string word; words >> word;) {
         if (all.find(word) == std::string::npos) {
             return false;
@@ -52,7 +47,7 @@ std::optional<std::size_t> CommandPalette::draw(UiContext& context, CommandSet c
     for (std::size_t i = 0; i < commands.size(); ++i) {
         CommandInfo const& info = commands.info(i);
         if (commands.available(i) && !info.leads &&
-            fitsSearch(std::string(info.name) + " " + info.tip, typed_)) {
+            fitsSearch(std::string(info.name) + " " + shownTip(info, false, context.keys), typed_)) {
             shown.push_back(i);
         }
     }
@@ -89,7 +84,7 @@ std::optional<std::size_t> CommandPalette::draw(UiContext& context, CommandSet c
         }
         context.layout.item("run " + std::string(info.id));
         if (ImGui::IsItemHovered()) {
-            ImGui::SetTooltip("%s", static_cast<char const*>(info.tip));
+            ImGui::SetTooltip("%s", shownTip(info, false, context.keys).c_str());
         }
         if (row == chosen_ && moved) {
             ImGui::SetScrollHereY();

@@ -119,7 +119,8 @@ void drawLanguageChoice(EditParts& parts, std::vector<std::string> const& there)
         }
     }
     std::string added;
-    fieldName(words::addLanguageField, words::addLanguageTip);
+    // In a field for text this key cannot be another one.
+    fieldName(words::addLanguageField, words::addLanguageTip(labelOf({SDLK_RETURN})));
     if (committedText(parts, "add language", added) && !added.empty() &&
         parts.run([&](Json const& level) { return edit::addLanguage(level, added); })) {
         parts.translation = added;

@@ -22,6 +22,8 @@ namespace trembler::ui {
 [[nodiscard]] std::span<Command<PlayParts> const> lookingCommands();
 /// Scissors, hints, the components panel and its time budget.
 [[nodiscard]] std::span<Command<PlayParts> const> toolCommands();
+/// What the second player's gamepad does, or their keys.
+[[nodiscard]] std::span<Command<PlayParts> const> secondPlayerCommands();
 /// Films, pictures and solution files; menus and the window.
 [[nodiscard]] std::span<Command<PlayParts> const> programCommands();
 /// The level as a whole: starting it again, watching a run again, going on to the next one.

@@ -1,4 +1,5 @@
 #include "game/ui/play/commands/command_sections.hpp"
+#include "game/ui/shared/commands/named_keys.hpp"
 #include "game/ui/shared/texts.hpp"
 #include "render/window/gamepad.hpp"
 
@@ -43,7 +44,12 @@ void zoom(PlayParts& parts) {
 void moveView(PlayParts& parts) {
     parts.movesView = !parts.movesView;
     if (parts.movesView) {
-        parts.context.toasts.add(text("view.moves"), render::ToastKind::News, 6);
+        KeyBindings const& keys = parts.context.keys;
+        KeyDevice const device = keyDevice(parts.lesson.device());
+        auto const key = [&](std::string_view id) { return keyOrNone(id, device, keys); };
+        parts.context.toasts.add(textWith("view.moves", namedDirections(device, keys), key("zoom-in"),
+                                          key("zoom-out"), key("back")),
+                                 render::ToastKind::News, 6);
     }
 }
 
@@ -115,14 +121,13 @@ constexpr Command<PlayParts> lookingTable[] = {
               .help = "zoom",
               .padPhase = PadPhase::view},
      .run = zoom<-2>},
-    {.info =
-         {.id = "move-view",
-          .icon = Icon::Fit,
-          .group = CommandGroup::looking,
-          .name = "Move the view",
-          .tip =
-              "Let the arrow keys or the directional pad move the view, and L2 and R2 zoom; Esc or B ends it",
-          .help = "arrow keys or a gamepad move the view"},
+    {.info = {.id = "move-view",
+              .icon = Icon::Fit,
+              .group = CommandGroup::looking,
+              .name = "Move the view",
+              .tip = "Let what moves the pointer move the view; {} ends it",
+              .tipKey = "back",
+              .help = "move the view as the pointer"},
      .run = moveView,
      .on = [](PlayParts const& parts) { return parts.movesView; }},
     {.info = {.id = "inspect",

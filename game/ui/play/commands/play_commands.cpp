@@ -12,7 +12,7 @@ std::vector<Command<PlayParts>> joinedSections() {
     // The page of keys lists the commands in this order.
     for (auto const& section :
          {runCommands(), timelineCommands(), whyCommands(), buildingCommands(), undoingCommands(),
-          lookingCommands(), toolCommands(), programCommands(), levelCommands()}) {
+          lookingCommands(), toolCommands(), secondPlayerCommands(), programCommands(), levelCommands()}) {
         table.insert(table.end(), section.begin(), section.end());
     }
     return table;

@@ -201,8 +201,8 @@ constexpr Command<PlayParts> timelineTable[] = {
               .pad = {render::padKey(SDL_CONTROLLER_BUTTON_RIGHTSHOULDER)},
               .group = CommandGroup::running,
               .name = "Keys to the card",
-              .tip = "Let the arrow keys and Space, or a gamepad, work on the card of the what-if; Esc leads "
-                     "back",
+              .tip = "Let the keys of menus work on the card of the what-if; {} leads back",
+              .tipKey = "back",
               .help = "change numbers and effects of a what-if by keys",
               .padPhase = PadPhase::past},
      .run = [](PlayParts& parts) { parts.whatIfTool->giveCardKeys(!parts.whatIfTool->cardHasKeys()); },

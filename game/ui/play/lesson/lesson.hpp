@@ -1,6 +1,7 @@
 // The first lesson of a level: which of its steps is shown to the player at present.
 #pragma once
 
+#include "game/ui/shared/commands/named_keys.hpp"
 #include "puzzle/session/session.hpp"
 
 #include <SDL_events.h>
@@ -15,6 +16,11 @@ enum class InputDevice : std::uint8_t { mouse, keys, pad };
 
 /// The device of the last event of a player's; `before` if there is none among them.
 [[nodiscard]] InputDevice deviceOf(std::span<SDL_Event const> events, InputDevice before);
+
+/// The device whose keys are named to a player with that one: the mouse has none.
+[[nodiscard]] inline KeyDevice keyDevice(InputDevice device) {
+    return device == InputDevice::pad ? KeyDevice::pad : KeyDevice::keyboard;
+}
 
 /// Follows the session from picture to picture. A step is shown once all steps before it are done, until it
 /// is done itself, in any way. Window thread only.

@@ -1,5 +1,6 @@
 #include "game/ui/play/lesson/lesson_drawing.hpp"
 
+#include "game/ui/shared/commands/named_keys.hpp"
 #include "game/ui/shared/texts.hpp"
 #include "render/draw/palette.hpp"
 #include "render/panels/theme.hpp"
@@ -105,31 +106,14 @@ void drawWay(ImDrawList& list, ImVec2 from, ImVec2 to, double age, bool moves) {
     }
 }
 
-/// The keys of a command that the device has, as shown to the player.
+/// The key of a command that the device has, as shown to the player.
 std::string keysFor(PlayParts const& parts, std::string_view command) {
-    bool const pad = parts.lesson.device() == InputDevice::pad;
-    for (Chord const& chord : parts.context.keys.keysOf(command)) {
-        if (isPadKey(chord.key) == pad) {
-            return labelOf(chord);
-        }
-    }
-    return {};
+    return keyOfDevice(command, keyDevice(parts.lesson.device()), parts.context.keys);
 }
 
-/// The keys that move things, in words if they are the arrows.
+/// The keys that move things.
 std::string arrowsFor(PlayParts const& parts) {
-    if (parts.lesson.device() == InputDevice::pad) {
-        return text("lesson.pad_arrows");
-    }
-    auto const left = parts.context.keys.keysOf("move-left");
-    if (!left.empty() && left.front() == Chord{SDLK_LEFT}) {
-        return text("lesson.arrows");
-    }
-    std::string all;
-    for (char const* const command : {"move-left", "move-right", "move-up", "move-down"}) {
-        all += (all.empty() ? "" : ", ") + keysFor(parts, command);
-    }
-    return all;
+    return namedDirections(keyDevice(parts.lesson.device()), parts.context.keys);
 }
 
 /// Where an object is on the screen; nothing if it is not in the world.

@@ -1,15 +1,15 @@
-// The pointer of a second player, with a gamepad: it moves the second hand in a run.
+// The pointer of a second player, with a gamepad or keys of their own: it moves the second hand in a run.
 #pragma once
 
 #include "game/ui/shared/pointer.hpp"
 #include "render/draw/camera.hpp"
-#include "render/window/gamepad.hpp"
+#include "render/window/second_pad.hpp"
 
 #include <optional>
 
 namespace trembler::ui {
 
-/// There while a second player has a gamepad. Window thread only.
+/// There while a second player has a gamepad or uses their keys. Window thread only.
 class SecondPointer {
 public:
     /// Pixels per second at UI scale 1 that it moves while the stick is held all the way.
@@ -23,7 +23,7 @@ public:
     [[nodiscard]] bool moving() const { return moving_; }
     /// m
     [[nodiscard]] Vec2 at() const { return at_; }
-    /// As the tools take it: the button A is its button.
+    /// As the tools take it: the button that grabs is its button.
     [[nodiscard]] Pointer pointer(render::Camera const& camera, double uiScale) const;
 
 private:

@@ -57,15 +57,17 @@ bool passesWidgets(SDL_Event const& event, KeyBindings const& bindings, CommandS
     return !meaning && ((key >= SDLK_F1 && key <= SDLK_F12) || (event.key.keysym.mod & KMOD_CTRL) != 0);
 }
 
-bool isHeld(render::InputEvents const& input, KeyBindings const& bindings, std::string_view id) {
+bool isHeld(render::InputEvents const& input, Chord const& chord) {
     auto const modifiers = [&](bool wanted, unsigned bits) {
         return !wanted || (input.modifiers() & bits) != 0;
     };
+    return input.keyHeld(chord.key) && modifiers(chord.ctrl, KMOD_CTRL) &&
+           modifiers(chord.shift, KMOD_SHIFT) && modifiers(chord.alt, KMOD_ALT);
+}
+
+bool isHeld(render::InputEvents const& input, KeyBindings const& bindings, std::string_view id) {
     auto const keys = bindings.keysOf(id);
-    return std::any_of(keys.begin(), keys.end(), [&](Chord const& chord) {
-        return input.keyHeld(chord.key) && modifiers(chord.ctrl, KMOD_CTRL) &&
-               modifiers(chord.shift, KMOD_SHIFT) && modifiers(chord.alt, KMOD_ALT);
-    });
+    return std::any_of(keys.begin(), keys.end(), [&](Chord const& chord) { return isHeld(input, chord); });
 }
 
 } // namespace trembler::ui

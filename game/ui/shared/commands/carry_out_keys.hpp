@@ -22,7 +22,9 @@ std::optional<std::size_t> carryOutKeys(std::span<SDL_Event const> events, KeyBi
 [[nodiscard]] bool passesWidgets(SDL_Event const& event, KeyBindings const& bindings,
                                  CommandSet const& commands, std::span<SDL_Keycode const> leading);
 
-/// Whether a key of a command of KeyUse::held is down; modifiers that are not part of the chord are ignored.
+/// Whether a key is down; modifiers that are not part of the chord are ignored.
+[[nodiscard]] bool isHeld(render::InputEvents const& input, Chord const& chord);
+/// The same for a key of a command of KeyUse::held.
 [[nodiscard]] bool isHeld(render::InputEvents const& input, KeyBindings const& bindings, std::string_view id);
 
 } // namespace trembler::ui

@@ -28,10 +28,12 @@ enum class PadPhase : std::uint8_t {
     past,
     /// While the arrow keys and the directional pad move the view.
     view,
+    /// At all times, but only on the second player's gamepad, whose buttons no other command has then.
+    secondPlayer,
 };
 
 /// The section of the page of keys in which a command is listed.
-enum class CommandGroup : std::uint8_t { building, running, looking, program, editing, menus };
+enum class CommandGroup : std::uint8_t { building, running, secondPlayer, looking, program, editing, menus };
 
 /// Name and look of a switch while it is on; nullptr or None: the same as while it is off.
 struct WhenOn {
@@ -58,6 +60,8 @@ struct CommandInfo {
     CommandGroup group = CommandGroup::program;
     Phrase name = ""; ///< on buttons and in the list of keys
     Phrase tip = "";  ///< one line, without the key
+    /// The id of the command whose keys fill the gap "{}" of the tip; "" if it has none. See shownTip().
+    std::string_view tipKey{};
     /// Description on the page of keys, as short as possible. Adjacent commands with equal texts share a row.
     Phrase help = "";
     WhenOn whenOn{};

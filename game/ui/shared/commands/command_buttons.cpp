@@ -1,5 +1,7 @@
 #include "game/ui/shared/commands/command_buttons.hpp"
 
+#include "game/ui/shared/commands/named_keys.hpp"
+
 #include <algorithm>
 
 namespace trembler::ui {

@@ -2,6 +2,7 @@
 
 #include "game/ui/shared/commands/key_bindings.hpp"
 #include "game/ui/shared/commands/key_help.hpp"
+#include "game/ui/shared/commands/named_keys.hpp"
 #include "game/ui/shared/texts.hpp"
 #include "game/ui/shared/words.hpp"
 #include "render/draw/palette.hpp"
@@ -71,8 +72,7 @@ bool drawCommand(UiContext& context, CommandSet const& commands, std::size_t ind
     list.AddText({high.x - scaled(10) - ImGui::CalcTextSize(keys.c_str()).x, y}, imColour(palette::inkSoft),
                  keys.c_str());
     if (hovered) {
-        char const* const tip = on && info.whenOn.tip != nullptr ? info.whenOn.tip : info.tip;
-        ImGui::SetTooltip("%s", words::wrapped(tip, 60).c_str());
+        ImGui::SetTooltip("%s", words::wrapped(shownTip(info, on, context.keys), 60).c_str());
     }
     return chosen;
 }

@@ -31,6 +31,9 @@ bool holdsKey(std::vector<Chord> const& keys, SDL_Keycode key) {
 
 /// Whether the two could mean the same button of a gamepad at the same time.
 bool phasesMeet(CommandInfo const& a, CommandInfo const& b) {
+    if (a.padPhase == PadPhase::secondPlayer || b.padPhase == PadPhase::secondPlayer) {
+        return a.padPhase == b.padPhase; // the second player has a gamepad of their own
+    }
     return a.padPhase == b.padPhase || a.padPhase == PadPhase::always || b.padPhase == PadPhase::always;
 }
 
@@ -38,6 +41,9 @@ bool phasesMeet(CommandInfo const& a, CommandInfo const& b) {
 int padRank(CommandSet const& commands, std::size_t index) {
     PadPhase const own = commands.info(index).padPhase;
     PadPhase const now = commands.phase();
+    if (own == PadPhase::secondPlayer) {
+        return -1; // a button of the second player gives no key
+    }
     if (own == PadPhase::always || now == PadPhase::always || now != PadPhase::past) {
         return own == PadPhase::always || now == PadPhase::always || own == now ? 0 : -1;
     }
@@ -256,15 +262,6 @@ std::vector<CommandInfo const*> KeyBindings::inGroups() const {
 std::string withKey(std::string const& text, std::string_view id, KeyBindings const& bindings) {
     auto const keys = bindings.keysOf(id);
     return keys.empty() ? text : text + " (" + labelOf(keys.front()) + ")";
-}
-
-std::string tipOf(CommandInfo const& command, bool on, KeyBindings const& bindings) {
-    std::string const tip = on && command.whenOn.tip != nullptr ? command.whenOn.tip : command.tip;
-    auto const keys = bindings.keysOf(command.id);
-    if (command.use == KeyUse::held && !keys.empty()) {
-        return tip + " (" + words::hold(labelOf(keys.front())) + ")";
-    }
-    return withKey(tip, keys.empty() ? command.alsoBy : command.id, bindings);
 }
 
 } // namespace trembler::ui

@@ -86,7 +86,5 @@ private:
 
 /// "Undo (Ctrl+Z)": the text with the first key of the command; the text alone if it has no key.
 [[nodiscard]] std::string withKey(std::string const& text, std::string_view id, KeyBindings const& bindings);
-/// The same with the command's tip for a switch that is on or off.
-[[nodiscard]] std::string tipOf(CommandInfo const& command, bool on, KeyBindings const& bindings);
 
 } // namespace trembler::ui

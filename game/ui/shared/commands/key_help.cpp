@@ -1,5 +1,6 @@
 #include "game/ui/shared/commands/key_help.hpp"
 
+#include "game/ui/shared/commands/named_keys.hpp"
 #include "game/ui/shared/words.hpp"
 
 #include <fmt/format.h>
@@ -29,8 +30,8 @@ void append(std::vector<HelpLine>& lines, std::string const& keys, std::string c
 }
 
 /// "Pause; go on": the description, and for a switch also that of its on state.
-std::string doesOf(CommandInfo const& command) {
-    std::string does = command.tip;
+std::string doesOf(CommandInfo const& command, KeyBindings const& bindings) {
+    std::string does = shownTip(command, false, bindings);
     if (command.whenOn.tip != nullptr) {
         std::string other = command.whenOn.tip;
         other[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(other[0])));
@@ -62,6 +63,8 @@ char const* titleOf(CommandGroup group) {
         return words::groupBuilding;
     case CommandGroup::running:
         return words::groupRunning;
+    case CommandGroup::secondPlayer:
+        return words::groupSecondPlayer;
     case CommandGroup::looking:
         return words::groupLooking;
     case CommandGroup::editing:
@@ -112,14 +115,15 @@ std::string keysMarkdown(KeyBindings const& bindings) {
             std::string const shown = keys.empty()                  ? words::nothingStated
                                       : command.use == KeyUse::held ? words::hold(keys)
                                                                     : keys;
-            return fmt::format("| {} | {} | `{}` |\n", doesOf(command), shown, command.id);
+            return fmt::format("| {} | {} | `{}` |\n", doesOf(command, bindings), shown, command.id);
         });
 }
 
 std::string gesturesMarkdown(std::span<Gesture const> gestures) {
     std::string text;
-    for (CommandGroup const group : {CommandGroup::building, CommandGroup::running, CommandGroup::looking,
-                                     CommandGroup::program, CommandGroup::editing, CommandGroup::menus}) {
+    for (CommandGroup const group :
+         {CommandGroup::building, CommandGroup::running, CommandGroup::secondPlayer, CommandGroup::looking,
+          CommandGroup::program, CommandGroup::editing, CommandGroup::menus}) {
         std::string rows;
         for (Gesture const& gesture : gestures) {
             if (gesture.group == group) {
@@ -139,7 +143,7 @@ std::string keysText(KeyBindings const& bindings) {
         [&](CommandInfo const& command) {
             std::string const keys = labelsOf(bindings.keysOf(command.id));
             return fmt::format("  {:<14} {:<24} {}\n", command.id, keys.empty() ? words::nothingStated : keys,
-                               doesOf(command));
+                               doesOf(command, bindings));
         });
 }
 
@@ -152,7 +156,7 @@ nlohmann::ordered_json keysJson(KeyBindings const& bindings) {
         }
         commands.push_back({{"id", std::string(command->id)},
                             {"group", titleOf(command->group)},
-                            {"does", doesOf(*command)},
+                            {"does", doesOf(*command, bindings)},
                             {"keys", std::move(keys)},
                             {"held", command->use == KeyUse::held}});
     }

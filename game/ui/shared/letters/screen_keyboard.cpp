@@ -1,10 +1,9 @@
 #include "game/ui/shared/letters/screen_keyboard.hpp"
 
 #include "game/ui/shared/commands/menu_keys.hpp"
+#include "game/ui/shared/letters/field_in_use.hpp"
 #include "game/ui/shared/letters/keyboard_drawing.hpp"
 #include "game/ui/shared/texts.hpp"
-
-#include <imgui_internal.h>
 
 #include <algorithm>
 #include <cmath>
@@ -18,46 +17,6 @@ using render::padKey;
 
 constexpr double beforeFirstRepeat = 0.35; // s
 constexpr double perFurtherRepeat = 0.09;  // s
-
-/// The field that has the keys; nullptr if there is none.
-ImGuiInputTextState* fieldInUse() {
-    ImGuiContext& context = *ImGui::GetCurrentContext();
-    return context.ActiveId == 0 ? nullptr : ImGui::GetInputTextState(context.ActiveId);
-}
-
-bool hasLines(ImGuiInputTextState const& field) {
-    return field.Stb.single_line == 0; // its flags are not kept by every version
-}
-
-/// A number that can be dragged, while it is typed.
-bool takesNumbers(ImGuiInputTextState const& field) {
-    return ImGui::GetCurrentContext()->TempInputId == field.ID;
-}
-
-SDL_Event keyEvent(SDL_Keycode key, bool down) {
-    SDL_Event event{};
-    event.type = down ? SDL_KEYDOWN : SDL_KEYUP;
-    event.key.state = down ? SDL_PRESSED : SDL_RELEASED;
-    event.key.keysym.sym = key;
-    event.key.keysym.scancode = SDL_GetScancodeFromKey(key);
-    return event;
-}
-
-/// A piece of a field's text, without the breaks of wrapped lines; its own are signs.
-std::string inOneLine(ImWchar const* from, ImWchar const* to) {
-    std::string text(4 * static_cast<std::size_t>(to - from) + 1, '\0');
-    text.resize(
-        static_cast<std::size_t>(ImTextStrToUtf8(text.data(), static_cast<int>(text.size()), from, to)));
-    std::string line;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        if (text[i] == '\n' && (i == 0 || text[i - 1] != '\r')) {
-            line += "↵";
-        } else if (text[i] != '\n' && text[i] != '\r') {
-            line += text[i];
-        }
-    }
-    return line;
-}
 
 /// Whether the event comes from a real keyboard or a mouse.
 bool isOfHands(SDL_Event const& event) {
@@ -89,9 +48,7 @@ void ScreenKeyboard::show() {
 void ScreenKeyboard::hide() {
     open_ = false;
     direction_.reset();
-    for (Held const& held : std::exchange(held_, {})) {
-        due_.push_back(held.key);
-    }
+    typed_.letAllGo();
 }
 
 void ScreenKeyboard::turnTo(KeyPage page) {
@@ -125,26 +82,10 @@ void ScreenKeyboard::repeat(double seconds) {
     }
 }
 
-void ScreenKeyboard::type(std::string const& text, render::InputEvents& input) {
-    SDL_Event event{};
-    event.type = SDL_TEXTINPUT;
-    std::copy_n(text.begin(), std::min(text.size(), sizeof(event.text.text) - 1), event.text.text);
-    input.typeForWidgets(event);
-}
-
-void ScreenKeyboard::holdKey(SDL_Keycode key, SDL_Keycode pad, render::InputEvents& input) {
-    bool const down =
-        std::any_of(held_.begin(), held_.end(), [&](Held const& held) { return held.key == key; });
-    if (!down) {
-        input.typeForWidgets(keyEvent(key, true));
-        held_.push_back({key, pad, true});
-    }
-}
-
 void ScreenKeyboard::act(LetterKey const& key, SDL_Keycode pad, render::InputEvents& input) {
     switch (key.act) {
     case KeyAct::type:
-        type(key.text, input);
+        typed_.type(key.text, input);
         if (wanted_.page == KeyPage::capitals) { // one capital, as nearly always
             turnTo(KeyPage::letters);
         }
@@ -158,23 +99,23 @@ void ScreenKeyboard::act(LetterKey const& key, SDL_Keycode pad, render::InputEve
         break;
     }
     case KeyAct::blank:
-        type(" ", input);
+        typed_.type(" ", input);
         break;
     case KeyAct::newLine:
-        holdKey(SDLK_RETURN, pad, input);
+        typed_.hold(SDLK_RETURN, pad, input);
         break;
     case KeyAct::left:
-        holdKey(SDLK_LEFT, pad, input);
+        typed_.hold(SDLK_LEFT, pad, input);
         break;
     case KeyAct::right:
-        holdKey(SDLK_RIGHT, pad, input);
+        typed_.hold(SDLK_RIGHT, pad, input);
         break;
     case KeyAct::erase:
-        holdKey(SDLK_BACKSPACE, pad, input);
+        typed_.hold(SDLK_BACKSPACE, pad, input);
         break;
     case KeyAct::cancel:
         if (!waited_) {
-            holdKey(SDLK_ESCAPE, 0, input);
+            typed_.hold(SDLK_ESCAPE, 0, input);
         }
         hide();
         break;
@@ -182,7 +123,7 @@ void ScreenKeyboard::act(LetterKey const& key, SDL_Keycode pad, render::InputEve
         if (lines_) {
             leave_ = true;
         } else if (!waited_) { // a list continues with the typed text
-            holdKey(SDLK_RETURN, 0, input);
+            typed_.hold(SDLK_RETURN, 0, input);
         }
         hide();
         break;
@@ -228,30 +169,13 @@ void ScreenKeyboard::press(SDL_Keycode pad, render::InputEvents& input) {
     }
 }
 
-void ScreenKeyboard::letGo(render::InputEvents& input) {
-    std::erase_if(held_, [&](Held& held) {
-        bool const fresh = std::exchange(held.fresh, false);
-        if (held.pad != 0) {
-            return false;
-        }
-        if (fresh) {
-            due_.push_back(held.key);
-        } else {
-            input.typeForWidgets(keyEvent(held.key, false));
-        }
-        return true;
-    });
-}
-
 bool ScreenKeyboard::fieldHasKeys() const {
     return fieldInUse() != nullptr;
 }
 
 void ScreenKeyboard::takeInput(render::InputEvents& input, KeyBindings const& bindings, double seconds) {
     waited_ = std::exchange(waits_, false);
-    for (SDL_Keycode const key : std::exchange(due_, {})) {
-        input.typeForWidgets(keyEvent(key, false));
-    }
+    typed_.beginPicture(input);
     bool hands = false;
     bool pad = false;
     bool asked = false;
@@ -283,12 +207,10 @@ void ScreenKeyboard::takeInput(render::InputEvents& input, KeyBindings const& bi
         if (direction_ && direction_->pad == key) {
             direction_.reset();
         }
-        for (Held& held : held_) {
-            held.pad = key != 0 && held.pad == key ? 0 : held.pad;
-        }
+        typed_.release(key);
         input.typeForWidgets(event); // it may have gone down before this was open
     }
-    letGo(input);
+    typed_.letGo(input);
     if (opens) {
         show();
     }

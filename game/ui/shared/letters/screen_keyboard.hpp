@@ -4,11 +4,11 @@
 #include "game/ui/shared/commands/key_bindings.hpp"
 #include "game/ui/shared/layout.hpp"
 #include "game/ui/shared/letters/letter_keys.hpp"
+#include "game/ui/shared/letters/typed_keys.hpp"
 #include "render/window/input_events.hpp"
 
 #include <cstddef>
 #include <optional>
-#include <string>
 #include <vector>
 
 namespace trembler::ui {
@@ -34,7 +34,7 @@ public:
     void waitToBeAsked() { waits_ = true; }
     [[nodiscard]] bool open() const { return open_; }
     /// Whether the next picture may be another one even if nothing happens.
-    [[nodiscard]] bool busy() const { return direction_.has_value() || !held_.empty() || !due_.empty(); }
+    [[nodiscard]] bool busy() const { return direction_.has_value() || typed_.any(); }
 
     /// The keys that it shows, and the index of the one that A presses.
     [[nodiscard]] std::vector<LetterKey> const& keys() const { return keys_; }
@@ -53,19 +53,9 @@ private:
     /// Carries out the action of one button that went down.
     void press(SDL_Keycode pad, render::InputEvents& input);
     void act(LetterKey const& key, SDL_Keycode pad, render::InputEvents& input);
-    /// A key of a real keyboard, until the button is let go.
-    void holdKey(SDL_Keycode key, SDL_Keycode pad, render::InputEvents& input);
-    void type(std::string const& text, render::InputEvents& input);
     void turnTo(KeyPage page);
     void move(int x, int y);
     void repeat(double seconds);
-    void letGo(render::InputEvents& input);
-
-    struct Held {
-        SDL_Keycode key;
-        SDL_Keycode pad; ///< 0: let go in the next picture
-        bool fresh;      ///< went down in this picture, in which it must not come up again
-    };
 
     bool open_ = false;
     bool byPad_ = false;  // the device used last
@@ -79,8 +69,7 @@ private:
     std::size_t chosen_ = 0;
     double aim_ = 0;
     std::optional<Direction> direction_;
-    std::vector<Held> held_;
-    std::vector<SDL_Keycode> due_; // keys that come up in the next picture
+    TypedKeys typed_;
 };
 
 } // namespace trembler::ui

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 
@@ -49,6 +50,18 @@ bool allOnScreen(Player& player) {
     return true;
 }
 
+/// Of a computer on which a turn always takes the same time: a busy one may take so long for what no choice
+/// changes that no choice is worth making.
+std::vector<ComponentStatus> steadyTimes(World const& world) {
+    std::vector<ComponentStatus> all = world.status();
+    for (ComponentStatus& status : all) {
+        std::string const name = title(*status.info);
+        double const each = name == "Real Gravity DPS" ? 900 : name == "Tree Gravity DPS" ? 300 : 1;
+        status.totalMicroseconds = static_cast<double>(status.updates) * each;
+    }
+    return all;
+}
+
 class BudgetPanel : public testing::TestWithParam<render::Size> {
 protected:
     [[nodiscard]] static std::string named(char const* what) {
@@ -88,7 +101,7 @@ TEST_P(BudgetPanel, ShowsTimesKnobsAndErrors) {
 }
 
 TEST_P(BudgetPanel, ABudgetIsKeptAndItsChangesAreReported) {
-    Player player(GetParam());
+    Player player(GetParam(), {}, levelsFolder(), nullptr, steadyTimes);
     player.open(starsLevel());
     player.key(SDLK_c);
     player.frames(8); // the goal card frees its space, the panel moves up
@@ -96,7 +109,7 @@ TEST_P(BudgetPanel, ABudgetIsKeptAndItsChangesAreReported) {
     player.frames(2);
     ASSERT_TRUE(player.play().budget().budget());
     player.look(named("cost-switched-on"));
-    // The smallest possible budget: every computer exceeds it.
+    // The smallest possible budget, which is exceeded.
     Point const slider = player.item("budget of a frame");
     player.drag(slider, slider - Point{0.4 * static_cast<double>(window().size().width), 0},
                 MouseButton::Left, 2);
@@ -105,7 +118,8 @@ TEST_P(BudgetPanel, ABudgetIsKeptAndItsChangesAreReported) {
     player.simulate(80);
     player.frames(3);
     auto const& mode = player.play().budget();
-    ASSERT_FALSE(mode.decisions().empty());
+    EXPECT_TRUE(std::any_of(mode.decisions().begin(), mode.decisions().end(),
+                            [](auto const& decision) { return decision.effect == "gravity"; }));
     EXPECT_FALSE(player.session().changes().empty());
     EXPECT_TRUE(allOnScreen(player));
     player.look(named("cost-budget"));
@@ -137,7 +151,7 @@ INSTANTIATE_TEST_SUITE_P(Sizes, BudgetPanel, testing::ValuesIn([] {
 
 // A replay repeats the recorded decisions, although the clock would lead to others now.
 TEST(Budget, ItsDecisionsAreReplayedBitForBit) {
-    Player player;
+    Player player({1280, 720}, {}, levelsFolder(), nullptr, steadyTimes);
     player.open(starsLevel());
     player.key(SDLK_b);
     player.key(SDLK_COMMA);

@@ -3,7 +3,7 @@
 // of objects, joints and the world are described once for files and forms:
 // tests/puzzle/edit/whole/schema_properties_test.cpp.
 #include "puzzle/data/published_schema.hpp"
-#include "tests/game/ui/edit/editor_kit.hpp"
+#include "tests/game/ui/edit/whole/every_widget.hpp"
 
 #include <regex>
 #include <set>
@@ -13,263 +13,6 @@ namespace schema_forms_test {
 namespace {
 
 using edit::Json;
-using Places = std::set<std::string>;
-
-/// Every place of a file that the schema has, with "[]" for an entry of a list and "*" for any key.
-class SchemaPlaces {
-public:
-    explicit SchemaPlaces(Json const& schema) : root_(schema) {}
-
-    Places places;
-
-    void add(Json const& schema, std::string const& path) {
-        if (auto const reference = schema.find("$ref"); reference != schema.end()) {
-            std::string const name = reference->get<std::string>().substr(8); // behind "#/$defs/"
-            if (name == "condition") {
-                return addConditions(path);
-            }
-            if (name == "properties" || name == "joint") {
-                return; // described once for files and forms
-            }
-            if (name != "name" && name != "point" && name != "box" && name != "area") {
-                return add(root_["$defs"][name], path);
-            }
-        }
-        bool deeper = false;
-        for (char const* const several : {"anyOf", "oneOf"}) {
-            for (Json const& one : schema.value(several, Json::array())) {
-                add(one, path);
-                deeper = true;
-            }
-        }
-        Json const members = schema.value("properties", Json::object());
-        for (auto const& member : members.items()) {
-            add(member.value(), path + "/" + member.key());
-            deeper = true;
-        }
-        Json const patterns = schema.value("patternProperties", Json::object());
-        for (auto const& member : patterns.items()) {
-            add(member.value(), path + "/*");
-            deeper = true;
-        }
-        if (schema.contains("additionalProperties") && schema["additionalProperties"].is_object()) {
-            add(schema["additionalProperties"], path + "/*");
-            deeper = true;
-        }
-        if (schema.contains("items") && !schema.contains("minItems")) { // a list, not a pair of names
-            add(schema["items"], path + "/[]");
-            deeper = true;
-        }
-        if (!deeper) {
-            places.insert(path);
-        }
-    }
-
-private:
-    /// The kinds of conditions, and what any of them may state; not the conditions within conditions.
-    void addConditions(std::string const& path) {
-        for (Json const& one : root_["$defs"]["condition"]["oneOf"]) {
-            for (auto const& member : one["properties"].items()) {
-                places.insert(path + "/" + member.key());
-            }
-        }
-    }
-
-    Json const& root_;
-};
-
-/// The places of a value, and of all within it, in the same form.
-void placesIn(Json const& value, std::string const& path, Places& places) {
-    places.insert(path);
-    if (value.is_object()) {
-        for (auto const& member : value.items()) {
-            placesIn(member.value(), path + "/" + member.key(), places);
-        }
-    } else if (value.is_array()) {
-        for (Json const& entry : value) {
-            placesIn(entry, path + "/[]", places);
-        }
-    }
-}
-
-void differences(Json const& before, Json const& now, std::string const& path, Places& places) {
-    if (before == now) {
-        return;
-    }
-    if (before.is_object() && now.is_object()) {
-        for (auto const& member : now.items()) {
-            differences(before.value(member.key(), Json()), member.value(), path + "/" + member.key(),
-                        places);
-        }
-        for (auto const& member : before.items()) {
-            if (!now.contains(member.key())) {
-                placesIn(member.value(), path + "/" + member.key(), places);
-            }
-        }
-        places.insert(path);
-        return;
-    }
-    if (before.is_array() && now.is_array()) {
-        for (std::size_t i = 0; i < std::max(before.size(), now.size()); ++i) {
-            differences(i < before.size() ? before[i] : Json(), i < now.size() ? now[i] : Json(),
-                        path + "/[]", places);
-        }
-        places.insert(path);
-        return;
-    }
-    placesIn(now.is_null() ? before : now, path, places);
-}
-
-/// Uses every widget and every command once, and takes the change back.
-class EveryWidget {
-public:
-    explicit EveryWidget(Designer& designer) : designer_(designer) {}
-
-    Places places;
-
-    void usePage(Tab tab) {
-        designer_.parts().tab = tab;
-        designer_.frames(2);
-        std::vector<std::string> items;
-        Places seen;
-        auto const panel = designer_.layout().card("panel");
-        ASSERT_TRUE(panel);
-        for (Placed const& item : designer_.layout().items()) {
-            // One of several alike: "hint 0" stands for every hint.
-            bool const inside = item.rect.low.x >= panel->low.x && item.rect.low.y > panel->low.y + 60;
-            bool const switches = item.name.starts_with("tree "); // to the other tree of goals
-            if (inside && !switches && seen.insert(kindOf(item.name)).second) {
-                items.push_back(item.name);
-            }
-        }
-        for (std::string const& item : items) {
-            if (!designer_.shows(
-                    item)) { // a level that takes long to be read, as on a busy machine, is read later
-                designer_.frames(pause);
-            }
-            if (designer_.shows(item)) {
-                use(item);
-            }
-        }
-    }
-
-    void runEveryCommand() {
-        CommandSet& commands = designer_.screen().commands();
-        for (std::size_t i = 0; i < commands.size(); ++i) {
-            std::string_view const id = commands.info(i).id;
-            designer_.parts().selection.set({"ball", "left"});
-            if (!commands.available(i) || commands.info(i).leads || id == "edit-new" || id == "edit-open" ||
-                id == "fullscreen" || id == "edit-menu" || id == "edit-undo" || id == "edit-redo" ||
-                id == "edit-make-report" || id == "edit-find-solutions") {
-                continue;
-            }
-            commands.run(i);
-            designer_.frames(1);
-            if (designer_.parts().tool != Tool::select) { // the second time makes something
-                commands.run(i);
-                designer_.frames(1);
-            }
-            takeBack();
-        }
-    }
-
-    /// Pictures after which the editor has read and checked the level, however long that takes.
-    static constexpr int pause = 20;
-
-private:
-    static std::string kindOf(std::string name) {
-        for (char& c : name) {
-            c = c >= '0' && c <= '9' ? '#' : c;
-        }
-        return name;
-    }
-
-    /// Notes what has changed since start(), and undoes it.
-    bool takeBack() {
-        EditParts& parts = designer_.parts();
-        if (parts.test != nullptr) {
-            designer_.key(SDLK_ESCAPE);
-        }
-        for (int i = 0; i < 3 && parts.dialogOpen(); ++i) {
-            designer_.key(SDLK_ESCAPE);
-        }
-        bool const changed = parts.document.done() > 0;
-        if (changed) {
-            Json const now = parts.tree();
-            parts.document.goTo(0);
-            differences(parts.tree(), now, "", places);
-            designer_.frames(1);
-        }
-        parts.tool = Tool::select;
-        return changed;
-    }
-
-    void leaveField() {
-        auto const panel = designer_.layout().card("panel");
-        designer_.click({panel->low.x + 40, panel->low.y + 50}); // the page's heading
-    }
-
-    void use(std::string const& item) {
-        EntryKind const kind = designer_.parts().selection.kind();
-        std::string const path = designer_.parts().selection.path();
-        std::vector<std::string> const selected = designer_.parts().selected();
-        Point const at = designer_.item(item);
-        designer_.drag(at, at + Point{30, 0}, MouseButton::Left, 2);
-        if (!takeBack() && designer_.shows(item)) {
-            if (choicesOf(item).empty()) { // a list that can drop down has done so already
-                designer_.click(designer_.item(item));
-                designer_.frames(1);
-            }
-            chooseOrType(item);
-            takeBack();
-        }
-        if (kind == EntryKind::none) {
-            designer_.parts().selection.set(selected);
-        } else {
-            designer_.parts().selection.choose(kind, path);
-        }
-        designer_.frames(1);
-    }
-
-    /// The first choices of a list that has dropped down; there may be as many as there are parts.
-    std::vector<std::string> choicesOf(std::string const& item) {
-        std::vector<std::string> choices;
-        for (Placed const& shown : designer_.layout().items()) {
-            if (shown.name.starts_with(item + " = ") && choices.size() < 20) {
-                choices.push_back(shown.name);
-            }
-        }
-        return choices;
-    }
-
-    /// An open list gives each of its choices; a field takes a word.
-    void chooseOrType(std::string const& item) {
-        designer_.frames(2); // a list that drops down has its size then
-        std::vector<std::string> const choices = choicesOf(item);
-        for (std::string const& choice : choices) {
-            if (!designer_.shows(choice)) { // closed by the choice before
-                designer_.clickItem(item);
-                designer_.frames(4);
-            }
-            if (!designer_.shows(choice)) { // it had been open, and was closed by that
-                designer_.clickItem(item);
-                designer_.frames(4);
-            }
-            if (designer_.shows(choice)) {
-                designer_.clickItem(choice);
-                takeBack();
-            }
-        }
-        if (choices.empty() && designer_.app().context().gui.wantsKeyboard()) {
-            designer_.ctrl(SDLK_a);
-            designer_.typeText("q");
-            leaveField();
-        }
-        ImGui::ClosePopupsOverWindow(nullptr, false);
-    }
-
-    Designer& designer_;
-};
 
 /// A level with one of everything.
 char const* const oneOfEach =
@@ -295,8 +38,7 @@ char const* const oneOfEach =
 
 TEST(SchemaForms, SetWhateverALevelFileMayState) {
     Json const schema = publishedSchema();
-    SchemaPlaces wanted(schema);
-    wanted.add(schema, "");
+    Places const wanted = placesOf(schema);
     Designer designer({1280, 6000}); // every widget is in sight
     designer.editText(oneOfEach);
     designer.parts().dialogs.close();
@@ -325,7 +67,7 @@ TEST(SchemaForms, SetWhateverALevelFileMayState) {
     every.usePage(Tab::properties);
     // Of any key that the places of the schema have, one is enough.
     std::set<std::string> missing;
-    for (std::string place : wanted.places) {
+    for (std::string place : wanted) {
         // A condition may lie in a list of conditions.
         std::size_t const last = place.rfind('/');
         bool const ofGoal = place.starts_with("/goals/") || place.starts_with("/task/");
@@ -356,7 +98,7 @@ TEST(SchemaForms, SetWhateverALevelFileMayState) {
     for (std::string const& place : missing) {
         ADD_FAILURE() << place << " cannot be set in the editor";
     }
-    EXPECT_GT(wanted.places.size(), 100U);
+    EXPECT_GT(wanted.size(), 100U);
 }
 
 } // namespace
