@@ -15,9 +15,9 @@
 namespace trembler::determinism {
 namespace {
 
-// The thread sanitizer looks for unsynchronised accesses, which are the same in every frame: one second of
+// The thread sanitizer looks for unsynchronised accesses, which are the same in every frame: half a second of
 // each run, on one number of threads, is enough for it. Without it, the equality of whole runs is tested.
-constexpr std::uint64_t length = test::underThreadSanitizer ? 60 : frames;
+constexpr std::uint64_t length = test::underThreadSanitizer ? 30 : frames;
 std::vector<int> const manyThreads = test::underSanitizer ? std::vector{3, 8} : std::vector{2, 3, 8, 32};
 
 // The levels in four parts, so that several processors can share them.

@@ -116,8 +116,10 @@ TEST(WorldTraceParallel, IsTheSameForAnyNumberOfThreads) {
     registry.component<HeatFromGlow>();
     std::string account;
     std::vector<std::uint64_t> hashes;
-    // For a sanitizer one number of threads is sufficient.
-    for (int const threads : test::underSanitizer ? std::vector{1, 8} : std::vector{1, 2, 3, 8, 32}) {
+    // For a sanitizer one number of threads is sufficient, and the thread sanitizer needs no comparison.
+    for (int const threads : test::underThreadSanitizer ? std::vector{8}
+                             : test::underSanitizer     ? std::vector{1, 8}
+                                                        : std::vector{1, 2, 3, 8, 32}) {
         World world(registry,
                     {.threads = threads, .detail = {}, .periods = {{"Exact Glow", 2}}, .trace = true});
         constexpr std::uint32_t count = 5000; // five chunks
@@ -139,12 +141,15 @@ TEST(WorldTraceParallel, IsTheSameForAnyNumberOfThreads) {
             world.step();
             mine.push_back(world.stateHash());
         }
+        EXPECT_GT(world.tracer()->events().size(), 13000U);
+        if (test::underThreadSanitizer) {
+            continue;
+        }
         std::ostringstream out;
         world.tracer()->write(out);
         if (account.empty()) {
             account = out.str();
             hashes = mine;
-            EXPECT_GT(world.tracer()->events().size(), 13000U);
             EXPECT_EQ(eventsNamed(world, "destroyed").size(), 1U);
         }
         EXPECT_TRUE(out.str() == account) << threads << " threads give another trace";
