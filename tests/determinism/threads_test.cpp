@@ -85,9 +85,7 @@ std::vector<std::uint64_t> heapHashes(int threads) {
 
 TEST(ParallelDeterminism, AHeapOfEverythingIsTheSameOnAnyNumberOfThreads) {
     if (test::underThreadSanitizer) {
-        for (int const threads : manyThreads) { // without a trace and with one
-            EXPECT_FALSE(heapHashes(threads).empty());
-        }
+        EXPECT_FALSE(heapHashes(8).empty()); // with a trace
         return;
     }
     auto const single = heapHashes(1);

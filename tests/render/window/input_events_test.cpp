@@ -1,6 +1,7 @@
 // Files that are dropped onto the window, and modifiers; the other events are tested by the screens that use
 // them.
 #include "render/window/input_events.hpp"
+#include "tests/render/stage.hpp"
 #include "tests/support/synthetic_input.hpp"
 
 #include <gtest/gtest.h>
@@ -9,7 +10,7 @@ namespace trembler::render::test {
 namespace {
 
 TEST(InputEvents, FilesThatAreDroppedAreThereForOneFrame) {
-    Window const window({.size = {320, 200}, .mode = WindowMode::Offscreen});
+    Window const& window = test::window(); // a second one would take the context from the shared canvas
     InputEvents input(window);
     input.poll();
     std::filesystem::path const first = "/tmp/one.json";
@@ -30,7 +31,7 @@ TEST(InputEvents, FilesThatAreDroppedAreThereForOneFrame) {
 
 // At five pictures a second Ctrl is pressed and let go again between two of them.
 TEST(InputEvents, ModifiersOfASlowFrameAreNotLost) {
-    Window const window({.size = {320, 200}, .mode = WindowMode::Offscreen});
+    Window const& window = test::window();
     InputEvents input(window);
     input.poll();
     pushKey(window, SDLK_LCTRL, true, KMOD_LCTRL);
