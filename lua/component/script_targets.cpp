@@ -194,7 +194,9 @@ void Finder::findNear() {
 bool ScriptTargets::update(Script const& script, std::vector<Home> const& homes) {
     bool const same = stand(script, homes);
     if (!same) {
+        auto foundBy = std::exchange(foundBy_, {}); // if it throws, the next turn finds them again
         targets_ = Finder(script, homes).found();
+        foundBy_ = std::move(foundBy);
     }
     return same;
 }

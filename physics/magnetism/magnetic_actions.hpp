@@ -27,8 +27,8 @@ inline constexpr std::string_view noLongerRepelled = "no longer repelled";
 /// other slowly compared to that.
 inline constexpr int followPeriod = 4;
 
-/// As long as no pole and no centre of susceptible matter has moved this far since, in m, forces are those
-/// that were followed last.
+/// Actions are not followed again before a pole or a centre of susceptible matter has moved by this much, in
+/// m.
 inline constexpr double followDistance = magneticSoftening / 10;
 
 /// At most so many actions on one object are followed at a time: the strongest.

@@ -28,7 +28,7 @@ public:
 
     /// The new name of an object or of a piece of it, "" if it is gone; nullopt if the name stays.
     [[nodiscard]] std::optional<std::string> newName(std::string const& before) const;
-    /// The inverse; nullopt if the object has had this name before.
+    /// The inverse; nullopt if the name has not changed.
     [[nodiscard]] std::optional<std::string> oldName(std::string const& now) const;
 
 private:

@@ -46,7 +46,7 @@ private:
 
     SecondPadButtons buttons_;
     /// By key, and whether it is a stick that presses it: the directional pad and the left stick have the
-    /// same keys, and letting go the one lets not go the other.
+    /// same keys, and letting go of one does not let go of the other.
     std::map<std::pair<SDL_Keycode, bool>, double> ways_;
     bool grabs_ = false;
 };

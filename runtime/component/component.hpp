@@ -69,7 +69,7 @@ public:
     virtual void run(FrameContext const& context) = 0;
     /// Hashes the data that it keeps between turns, and the held and waiting calls for it. Between frames.
     virtual void hashState(StateHash& hash) const = 0;
-    /// The sinks of its last run, in order of chunks.
+    /// The sinks of its last run, in order of chunks, and empty ones of earlier runs with more chunks.
     [[nodiscard]] std::deque<EventSink>& sinks() { return sinks_; }
     /// Whether these have events.
     [[nodiscard]] bool hasEvents() const {

@@ -20,17 +20,19 @@ void shuffle(nlohmann::json& list, std::mt19937& random) {
 }
 
 TEST(Order, OfEntriesInAFileNeverMatters) {
-    // Shuffled once. TREMBLER_FUZZ=12 is the long version: shuffled eleven times, and reversed.
+    // Once: every other level shuffled, the others reversed. TREMBLER_FUZZ=12 is the long version.
     unsigned const attempts = test::underSanitizer ? 1 : test::attempts(1);
     std::mt19937 random(20120601);
+    bool reverses = false;
     for (auto const& path : gameData().levels()) {
+        reverses = !reverses;
         auto const document = JsonDocument::load(path);
         auto const expected = hashesOf(readLevel(gameData().registry, document));
         for (unsigned attempt = 0; attempt < attempts; ++attempt) {
             nlohmann::json shuffled = document->root();
             for (char const* const list : {"objects", "joints", "connections", "toolbox", "placing"}) {
                 if (shuffled.contains(list)) {
-                    if (attempt == 1) {
+                    if (attempt == 0 && reverses) {
                         std::reverse(shuffled[list].begin(), shuffled[list].end());
                     } else {
                         shuffle(shuffled[list], random);

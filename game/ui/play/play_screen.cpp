@@ -164,6 +164,9 @@ void PlayScreen::useSecondPlayer(double seconds) {
     bool const playsAlready = parts_.secondPointer.active();
     parts_.secondPointer.look(secondPlayerNow(context, playsAlready), seconds, parts_.camera(), scale);
     bool const keyHeld = isHeld(context.input, context.keys, "second-hand");
+    if (playsAlready && !parts_.secondPointer.active() && !keyHeld) {
+        parts_.secondHand.letGo(); // the player has gone
+    }
     if (!parts_.secondPointer.active() || keyHeld || parts_.run.building() || parts_.run.watching() ||
         parts_.timeline.looksBack()) {
         return; // a held key lends the second hand to the first player

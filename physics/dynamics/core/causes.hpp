@@ -48,7 +48,7 @@ private:
 
     std::vector<std::vector<Cause>> causes_; // by slot
     std::vector<News> news_;
-    bool changed_ = false;
+    bool changed_ = true; // what was listed by another engine's book is outdated
 };
 
 } // namespace trembler

@@ -77,6 +77,7 @@ void Simulation::makeEngine(DynamicsSettings const& settings, DynamicsColumns co
     bodies_ = {};
     bodies_.standStill(state_.stopped);
     joints_ = {};
+    causes_ = {}; // by slots, which other bodies may get
     touching_ = {};
     bodiesVersion_ = 0;
     contactSubsteps_ = 0;

@@ -53,6 +53,12 @@ protected:
         ++step_;
     }
 
+    /// As after an apply that has failed.
+    void forget() {
+        trace_.forget();
+        last_.clear();
+    }
+
     [[nodiscard]] std::size_t things() const { return things_.size(); }
 
 private:
@@ -77,6 +83,9 @@ TEST_F(CallTraces, AreThoseOfTheLastApplyOrNew) {
     apply({{3, 0}, {1}, {2, 4}});
     apply({{0}, {4, 3}, {2}}); // in other chunks
     apply({{0}});              // fewer chunks
+    apply({{0}, {4, 3}, {2}});
+    forget();
+    apply({{0}, {4, 3}, {2}});
     apply({{0}, {4, 3}, {2}});
 }
 

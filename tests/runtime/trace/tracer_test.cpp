@@ -31,6 +31,18 @@ TEST(Tracer, IdsSortByFrameComponentChunkAndOrder) {
     EXPECT_TRUE(static_cast<bool>(a));
 }
 
+TEST(Tracer, ASinkGoesOnInAnotherPartOfAFrame) {
+    Store store;
+    EventSink sink(&store, 1, 3, 2, Phase::dps, "B");
+    record(sink, "a", {}, {});
+    sink.restart(7);
+    EXPECT_TRUE(sink.events().empty());
+    EventSink fresh(&store, 7, 3, 2, Phase::dps, "B");
+    EXPECT_EQ(record(sink, "b", {}, {}), record(fresh, "b", {}, {})) << "as a new one would";
+    EXPECT_EQ(sink.events().front().frame, 7U);
+    EXPECT_THROW(sink.restart(std::uint64_t{1} << 26U), std::length_error);
+}
+
 TEST(Tracer, FindsNumbersAndChains) {
     Store store;
     Tracer tracer;

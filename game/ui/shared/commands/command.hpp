@@ -28,7 +28,8 @@ enum class PadPhase : std::uint8_t {
     past,
     /// While the arrow keys and the directional pad move the view.
     view,
-    /// At all times, but only on the second player's gamepad, whose buttons no other command has then.
+    /// At all times, but only the second player's gamepad gives it; there it comes before other commands of
+    /// the same button.
     secondPlayer,
 };
 
