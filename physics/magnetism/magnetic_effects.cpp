@@ -2,17 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <utility>
 
 namespace trembler::magnetic_actions {
-
-void Thing::addPoint(Vec2 at) {
-    left = std::min(left, at.x);
-    right = std::max(right, at.x);
-    bottom = std::min(bottom, at.y);
-    top = std::max(top, at.y);
-}
 
 double Thing::mostForce(double otherPoles, double otherSusceptibility) const {
     return magneticConstant *
@@ -21,13 +15,20 @@ double Thing::mostForce(double otherPoles, double otherSusceptibility) const {
 
 namespace {
 
-// Among so few things, looking at all is faster than sorting.
+// Among so few things, looking at all is faster than building a tree.
 constexpr std::size_t few = 32;
 
-/// Adds the force of sources from `begin` to `end`, all of one object, on one receiver.
-void addForce(MagneticPoints const& points, MagneticSum sum, std::size_t receiver, std::size_t begin,
-              std::size_t end, Effect& effect) {
-    if (begin == end) {
+/// m², between the nearest points of two boxes.
+double distanceSquared(Bounds const& a, Bounds const& b) {
+    double const x = std::max({0.0, a.lower.x - b.upper.x, b.lower.x - a.upper.x});
+    double const y = std::max({0.0, a.lower.y - b.upper.y, b.lower.y - a.upper.y});
+    return x * x + y * y;
+}
+
+/// Adds the force of some sources, all of one object, on one receiver.
+void addForce(MagneticPoints const& points, MagneticSum sum, std::size_t receiver, PointRange sources,
+              Effect& effect) {
+    if (sources.begin == sources.end) {
         return;
     }
     inverse_square::Points const& from = points.sources(sum);
@@ -36,8 +37,8 @@ void addForce(MagneticPoints const& points, MagneticSum sum, std::size_t receive
     double const own = -on.weight[receiver] / magneticConstant;
     Vec2 force;
     Vec2 nearest;
-    double least = unbounded;
-    for (std::size_t j = begin; j < end; ++j) {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t j = sources.begin; j < sources.end; ++j) {
         Vec2 const r = from.at(j) - on.at(receiver);
         force += poleForce(r, own, from.weight[j]);
         if (lengthSquared(r) < least) {
@@ -49,96 +50,72 @@ void addForce(MagneticPoints const& points, MagneticSum sum, std::size_t receive
     double const along = dot(force, nearest);
     effect.force += size;
     // One pole's force is central.
-    effect.along += end - begin > 1 && least > 0 ? along / std::sqrt(least) : std::copysign(size, along);
+    bool const several = sources.end - sources.begin > 1;
+    effect.along += several && least > 0 ? along / std::sqrt(least) : std::copysign(size, along);
 }
 
 Effect effectOf(MagneticPoints const& points, Thing const& on, Thing const& by) {
     Effect effect{by.object};
-    for (std::size_t p = on.pole; p < on.polesEnd; ++p) {
-        addForce(points, MagneticSum::polesOnPoles, p, by.pole, by.polesEnd, effect);
-        addForce(points, MagneticSum::softOnPoles, p, by.soft, by.softEnd, effect);
+    for (std::size_t i = on.poles.begin; i < on.poles.end; ++i) {
+        addForce(points, MagneticSum::polesOnPoles, i, by.poles, effect);
+        addForce(points, MagneticSum::softOnPoles, i, by.soft, effect);
     }
-    for (std::size_t s = on.soft; s < on.softEnd; ++s) {
-        addForce(points, MagneticSum::polesOnSoft, s, by.pole, by.polesEnd, effect);
+    for (std::size_t i = on.soft.begin; i < on.soft.end; ++i) {
+        addForce(points, MagneticSum::polesOnSoft, i, by.poles, effect);
     }
     return effect;
 }
 
 } // namespace
 
-void Surroundings::gatherThings() {
-    std::span<ObjectId const> const poles = points_->sourceObjects(MagneticSum::polesOnPoles);
-    std::span<ObjectId const> const soft = points_->sourceObjects(MagneticSum::softOnPoles);
-    inverse_square::Points const& polePoints = points_->sources(MagneticSum::polesOnPoles);
-    inverse_square::Points const& softPoints = points_->sources(MagneticSum::softOnPoles);
-    things_.clear();
-    for (std::size_t p = 0, s = 0; p < poles.size() || s < soft.size();) {
-        bool const both = p < poles.size() && s < soft.size();
-        Thing thing;
-        thing.object = both ? std::min(poles[p], soft[s]) : p < poles.size() ? poles[p] : soft[s];
-        for (thing.pole = p; p < poles.size() && poles[p] == thing.object; ++p) {
-            thing.addPoint(polePoints.at(p));
-            thing.poleStrength += std::abs(polePoints.weight[p]);
-        }
-        for (thing.soft = s; s < soft.size() && soft[s] == thing.object; ++s) {
-            thing.addPoint(softPoints.at(s));
-            thing.susceptibility += softPoints.weight[s];
-        }
-        thing.polesEnd = p;
-        thing.softEnd = s;
-        things_.push_back(thing);
-    }
-}
-
 void Surroundings::update(MagneticPoints const& points) {
     points_ = &points;
-    gatherThings();
-    fromTheLeft_.clear();
-    if (things_.size() <= few) {
-        return;
-    }
-    fromTheLeft_.resize(things_.size());
-    std::iota(fromTheLeft_.begin(), fromTheLeft_.end(), std::size_t{0});
-    std::sort(fromTheLeft_.begin(), fromTheLeft_.end(), [&](std::size_t a, std::size_t b) {
-        return std::pair(things_[a].left, a) < std::pair(things_[b].left, b);
-    });
-    widest_ = strongest_ = softest_ = 0;
-    for (Thing const& thing : things_) {
-        widest_ = std::max(widest_, thing.right - thing.left);
+    things_.clear();
+    strongest_ = softest_ = 0;
+    points.forObjects([&](ObjectId object, PointRange poles, PointRange soft) {
+        double const most = std::numeric_limits<double>::max();
+        Thing thing{object, poles, soft, {{most, most}, {-most, -most}}, 0, 0};
+        inverse_square::Points const& polePoints = points.sources(MagneticSum::polesOnPoles);
+        for (std::size_t i = poles.begin; i < poles.end; ++i) {
+            thing.bounds.include({polePoints.at(i), polePoints.at(i)});
+            thing.poleStrength += std::abs(polePoints.weight[i]);
+        }
+        inverse_square::Points const& softPoints = points.sources(MagneticSum::softOnPoles);
+        for (std::size_t i = soft.begin; i < soft.end; ++i) {
+            thing.bounds.include({softPoints.at(i), softPoints.at(i)});
+            thing.susceptibility += softPoints.weight[i];
+        }
         strongest_ = std::max(strongest_, thing.poleStrength);
         softest_ = std::max(softest_, thing.susceptibility);
+        things_.push_back(thing);
+    });
+    if (things_.size() <= few) {
+        tree_.reset();
+        near_.resize(things_.size());
+        std::iota(near_.begin(), near_.end(), 0U);
+        return;
     }
-}
-
-void Surroundings::consider(Thing const& on, std::size_t other) {
-    Thing const& by = things_[other];
-    double const x = std::max({0.0, by.left - on.right, on.left - by.right});
-    double const y = std::max({0.0, by.bottom - on.top, on.bottom - by.top});
-    double const most = on.mostForce(by.poleStrength, by.susceptibility);
-    if (most > 0 && most >= endForce * (x * x + y * y) && by.object != on.object) {
-        near_.push_back(other);
+    std::vector<Bounds> boxes;
+    boxes.reserve(things_.size());
+    for (Thing const& thing : things_) {
+        boxes.push_back(thing.bounds);
     }
+    tree_.emplace(std::move(boxes));
 }
 
 std::vector<Effect>& Surroundings::effectsOn(Thing const& on) {
-    near_.clear();
     effects_.clear();
-    if (fromTheLeft_.empty()) {
-        for (std::size_t i = 0; i < things_.size(); ++i) {
-            consider(on, i);
-        }
-    } else {
-        double const reach = std::sqrt(on.mostForce(strongest_, softest_) / endForce);
-        auto at = std::partition_point(fromTheLeft_.begin(), fromTheLeft_.end(), [&](std::size_t i) {
-            return things_[i].left < on.left - reach - widest_;
-        });
-        for (; at != fromTheLeft_.end() && things_[*at].left <= on.right + reach; ++at) {
-            consider(on, *at);
-        }
-        std::sort(near_.begin(), near_.end());
+    if (tree_) {
+        double const farthest = on.mostForce(strongest_, softest_) / endForce; // m²
+        tree_->findIf([&](Bounds const& box) { return distanceSquared(box, on.bounds) <= farthest; }, near_);
     }
-    for (std::size_t const i : near_) {
-        effects_.push_back(effectOf(*points_, on, things_[i]));
+    for (std::uint32_t const i : near_) {
+        Thing const& by = things_[i];
+        double const most = on.mostForce(by.poleStrength, by.susceptibility);
+        bool const acts = most > 0 && most >= endForce * distanceSquared(by.bounds, on.bounds);
+        if (acts && by.object != on.object) {
+            effects_.push_back(effectOf(*points_, on, by));
+        }
     }
     return effects_;
 }

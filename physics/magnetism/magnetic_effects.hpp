@@ -1,11 +1,13 @@
 // What objects do to each other by magnetism, pair by pair.
 #pragma once
 
+#include "physics/box_tree.hpp"
 #include "physics/dynamics/calls.hpp"
 #include "physics/magnetism/magnetic_points.hpp"
 
 #include <cstddef>
-#include <limits>
+#include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -21,18 +23,14 @@ struct Effect {
     double along = 0; ///< N, negative: away
 };
 
-inline constexpr double unbounded = std::numeric_limits<double>::infinity();
-
 /// The points of an object: its poles, and its centre of mass if it is susceptible.
 struct Thing {
     ObjectId object;
-    std::size_t pole = 0, polesEnd = 0; ///< of MagneticPoints' poles
-    std::size_t soft = 0, softEnd = 0;
-    double left = unbounded, right = -unbounded, bottom = unbounded,
-           top = -unbounded;                     ///< m, around its points
+    PointRange poles; ///< as MagneticPoints::forObjects() states them
+    PointRange soft;
+    Bounds bounds;                               ///< m, of its points
     double poleStrength = 0, susceptibility = 0; ///< A m, sums
 
-    void addPoint(Vec2 at);
     /// No force of the other thing on this one at a distance of r (m) exceeds this number divided by r².
     [[nodiscard]] double mostForce(double otherPoles, double otherSusceptibility) const;
 };
@@ -51,17 +49,13 @@ public:
     [[nodiscard]] std::vector<Effect>& effectsOn(Thing const& on);
 
 private:
-    void gatherThings();
-    void consider(Thing const& on, std::size_t other);
-
     MagneticPoints const* points_ = nullptr;
     std::vector<Thing> things_;
-    std::vector<std::size_t> fromTheLeft_; // of things_; empty if these are few
-    std::vector<std::size_t> near_;        // of things_, of one search
-    std::vector<Effect> effects_;          // of one search
-    double widest_ = 0;                    // m
-    double strongest_ = 0;                 // A m
-    double softest_ = 0;                   // A m
+    std::optional<BoxTree> tree_;     // of the things' bounds; none if these are few
+    std::vector<std::uint32_t> near_; // of things_, of one search; all of them without a tree
+    std::vector<Effect> effects_;     // of one search
+    double strongest_ = 0;            // A m
+    double softest_ = 0;              // A m
 };
 
 } // namespace trembler::magnetic_actions

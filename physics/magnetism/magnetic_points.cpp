@@ -155,24 +155,18 @@ void MagneticPoints::exportForces(MagneticForce& into) const {
 }
 
 void MagneticPoints::exportRates(MagneticForce& into) const {
-    std::size_t pole = 0;
-    std::size_t soft = 0;
-    while (pole < poleObjects_.size() || soft < softObjects_.size()) {
-        bool const both = pole < poleObjects_.size() && soft < softObjects_.size();
-        ObjectId const id = both                         ? std::min(poleObjects_[pole], softObjects_[soft])
-                            : pole < poleObjects_.size() ? poleObjects_[pole]
-                                                         : softObjects_[soft];
+    forObjects([&](ObjectId id, PointRange poles, PointRange soft) {
         double square = 0;
-        for (; pole < poleObjects_.size() && poleObjects_[pole] == id; ++pole) {
-            square += poleStiffness_[pole] * poleYields_[pole];
+        for (std::size_t i = poles.begin; i < poles.end; ++i) {
+            square += poleStiffness_[i] * poleYields_[i];
         }
-        for (; soft < softObjects_.size() && softObjects_[soft] == id; ++soft) {
-            square += softStiffness_[soft] * softYields_[soft];
+        for (std::size_t i = soft.begin; i < soft.end; ++i) {
+            square += softStiffness_[i] * softYields_[i];
         }
         if (square > 0) {
             into.rates.push_back({id, std::sqrt(square)});
         }
-    }
+    });
 }
 
 void MagneticPoints::exportBrakes(MagneticForce& into) const {

@@ -10,6 +10,7 @@
 #include "runtime/placement.hpp"
 #include "runtime/property/column.hpp"
 
+#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -57,6 +58,10 @@ public:
     /// The object of each source, and of each receiver; ascending.
     [[nodiscard]] std::span<ObjectId const> sourceObjects(MagneticSum sum) const;
     [[nodiscard]] std::span<ObjectId const> receiverObjects(MagneticSum sum) const;
+    /// Calls f(object, poles, soft) for each object that has points, ascending, with the ranges of its poles
+    /// and of its susceptible centre among the sources of polesOnPoles and of softOnPoles.
+    template <class F>
+    void forObjects(F&& f) const;
     /// The totals of a sum, in the order of the receivers. polesOnPoles and softOnPoles share one.
     [[nodiscard]] MagneticTotals totals(MagneticSum sum);
 
@@ -92,6 +97,33 @@ private:
     std::vector<double> poleStiffness_; // N/m
     std::vector<double> softStiffness_;
 };
+
+/// Consecutive points of one object.
+struct PointRange {
+    std::size_t begin = 0;
+    std::size_t end = 0;
+};
+
+template <class F>
+void MagneticPoints::forObjects(F&& f) const {
+    std::size_t pole = 0;
+    std::size_t soft = 0;
+    while (pole < poleObjects_.size() || soft < softObjects_.size()) {
+        bool const both = pole < poleObjects_.size() && soft < softObjects_.size();
+        ObjectId const id = both                         ? std::min(poleObjects_[pole], softObjects_[soft])
+                            : pole < poleObjects_.size() ? poleObjects_[pole]
+                                                         : softObjects_[soft];
+        PointRange poles{pole, pole};
+        for (; poles.end < poleObjects_.size() && poleObjects_[poles.end] == id; ++poles.end) {
+        }
+        PointRange centre{soft, soft};
+        for (; centre.end < softObjects_.size() && softObjects_[centre.end] == id; ++centre.end) {
+        }
+        pole = poles.end;
+        soft = centre.end;
+        f(id, poles, centre);
+    }
+}
 
 /// µ0/4π in N/A².
 inline constexpr double magneticConstant = 1e-7;

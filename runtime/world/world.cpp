@@ -101,39 +101,16 @@ void World::setUp() {
     whole_ = true;
 }
 
-// In most parts of a frame nothing happens. In others, only components that may have run since the last time
-// are looked at: looking at all of them would take longer than some frames do.
+// In most parts of a frame nothing happens: looking at all components would take longer than some frames do.
 void World::gatherTrace() {
     if (!eventful_.exchange(false, std::memory_order_relaxed)) {
         return;
     }
-    auto const gatherFrom = [this](std::size_t index) {
-        if (Component* const component = entries_[index].component.get()) {
-            for (EventSink& sink : component->sinks()) {
+    for (Entry& entry : entries_) {
+        if (entry.component) {
+            for (EventSink& sink : entry.component->sinks()) {
                 tracer_->gather(sink);
             }
-        }
-    };
-    std::vector<std::size_t> inside; // interactions that run inside others' turns, which have lower indices
-    for (std::vector<Turn> const& turns : turns_) {
-        bool const last = &turns == &turns_.back();
-        std::sort(inside.begin(), inside.end());
-        auto next = inside.begin();
-        for (Turn const& turn : turns) {
-            if (turn.quiet) {
-                continue; // it has slept
-            }
-            for (; last && next != inside.end() && *next < turn.entry; ++next) {
-                gatherFrom(*next);
-            }
-            gatherFrom(turn.entry);
-            if (!last) {
-                std::vector<std::size_t> const& own = entries_[turn.entry].shortcuts;
-                inside.insert(inside.end(), own.begin(), own.end());
-            }
-        }
-        for (; last && next != inside.end(); ++next) {
-            gatherFrom(*next);
         }
     }
 }
