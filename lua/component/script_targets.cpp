@@ -5,26 +5,26 @@
 
 #include <algorithm>
 #include <iterator>
+#include <typeindex>
 #include <utility>
 
 namespace trembler::lua {
 namespace {
 
-// A property that the host reads for the script; declare() has declared it.
+// Of a property that the host reads for the script; declare() has declared it.
+Home const& homeOf(std::type_index type, Script const& script, std::vector<Home> const& homes) {
+    std::size_t i = 0;
+    while (script.reads[i].info->type != type) {
+        ++i;
+    }
+    return homes[i];
+}
 template <ObjectProperty P>
 Column<P> const* columnOf(Script const& script, std::vector<Home> const& homes) {
-    std::size_t i = 0;
-    while (script.reads[i].info->type != typeid(P)) {
-        ++i;
-    }
-    return static_cast<Column<P> const*>(homes[i].column);
+    return static_cast<Column<P> const*>(homeOf(typeid(P), script, homes).column);
 }
 Slot<Contacts> const* contactsOf(Script const& script, std::vector<Home> const& homes) {
-    std::size_t i = 0;
-    while (script.reads[i].info->type != typeid(Contacts)) {
-        ++i;
-    }
-    return static_cast<Slot<Contacts> const*>(homes[i].slot);
+    return static_cast<Slot<Contacts> const*>(homeOf(typeid(Contacts), script, homes).slot);
 }
 
 /// The targets of one turn.
@@ -189,33 +189,37 @@ void Finder::findNear() {
     }
 }
 
+/// The state of the columns by which the objects of Application::each are found, and of the parameters that
+/// they state; empty for other applications.
+std::vector<std::uint64_t> versionsOf(Script const& script, std::vector<Home> const& homes) {
+    std::vector<std::uint64_t> versions;
+    if (script.manifest.application != Application::each) {
+        return versions;
+    }
+    for (std::size_t const read : script.first) {
+        versions.push_back(homes[read].column->structureVersion());
+    }
+    if (script.manifest.attached) {
+        versions.push_back(columnOf<Scripts>(script, homes)->version());
+        versions.push_back(columnOf<Scripts>(script, homes)->structureVersion());
+    }
+    return versions;
+}
+
 } // namespace
 
 bool ScriptTargets::update(Script const& script, std::vector<Home> const& homes) {
-    bool const same = stand(script, homes);
+    Application const application = script.manifest.application;
+    std::vector<std::uint64_t> now = versionsOf(script, homes);
+    bool const same = application == Application::each   ? now == foundBy_
+                      : application == Application::once ? !targets_.empty()
+                                                         : false;
     if (!same) {
-        auto foundBy = std::exchange(foundBy_, {}); // if it throws, the next turn finds them again
+        foundBy_.clear(); // if the search throws, the next turn searches again
         targets_ = Finder(script, homes).found();
-        foundBy_ = std::move(foundBy);
+        foundBy_ = std::move(now);
     }
     return same;
-}
-
-/// Whether this turn has the targets of the last one: no object was added to or removed from the columns by
-/// which targets are found, and no object has changed the parameters that it states.
-bool ScriptTargets::stand(Script const& script, std::vector<Home> const& homes) {
-    if (script.manifest.application != Application::each) {
-        return script.manifest.application == Application::once && !targets_.empty();
-    }
-    std::vector<std::uint64_t> now;
-    for (std::size_t const read : script.first) {
-        now.push_back(homes[read].column->structureVersion());
-    }
-    if (script.manifest.attached) {
-        now.push_back(columnOf<Scripts>(script, homes)->version());
-        now.push_back(columnOf<Scripts>(script, homes)->structureVersion());
-    }
-    return std::exchange(foundBy_, now) == now;
 }
 
 } // namespace trembler::lua

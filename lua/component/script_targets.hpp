@@ -20,8 +20,6 @@ public:
     [[nodiscard]] std::vector<Target> const& all() const { return targets_; }
 
 private:
-    [[nodiscard]] bool stand(Script const& script, std::vector<Home> const& homes);
-
     std::vector<Target> targets_;        // of the turn under way, or of the last one
     std::vector<std::uint64_t> foundBy_; // the state of the columns by which they were found
 };
