@@ -229,7 +229,9 @@ bool GameApp::frame(double seconds, bool seen) {
     bool const two = screen_->hasSecondHand() && !menu_.isOpen();
     bool const last = context_.profile.settings().padIsSecond;
     context_.pads.setUse(!two ? PadUse::together : last ? PadUse::lastApart : PadUse::secondApart);
-    context_.pads.setSecondButtons(secondPadButtons(context_.keys));
+    if (two) {
+        context_.pads.setSecondButtons(secondPadButtons(context_.keys));
+    }
     context_.input.poll();
     context_.letters.takeInput(context_.input, context_.keys, seconds);
     context_.pictures.beginFrame();

@@ -172,6 +172,13 @@ public:
         frame();
     }
     void clickItem(std::string const& name) { click(item(name)); }
+    /// The page of keys in the menu, by mouse.
+    void openKeysPage() {
+        for (char const* const entry : {"menu", "menu.settings", "Change the keys"}) {
+            clickItem(entry);
+            frames(3);
+        }
+    }
     void drag(Point from, Point to, MouseButton button = MouseButton::Left, int steps = 4) {
         moveTo(from);
         press(button);

@@ -21,12 +21,7 @@ protected:
     }
     [[nodiscard]] MenuPage page() const { return player->app().menu().page(); }
     void openByMouse() {
-        player->clickItem("menu");
-        player->frames(3);
-        player->clickItem("menu.settings");
-        player->frames(3);
-        player->clickItem("Change the keys");
-        player->frames(3);
+        player->openKeysPage();
         ASSERT_EQ(page(), MenuPage::keys);
     }
     void press(SDL_Keycode key, int times) {

@@ -25,12 +25,7 @@ protected:
         player->open(experimentOne);
     }
     void openKeys() {
-        player->clickItem("menu");
-        player->frames(3);
-        player->clickItem("menu.settings");
-        player->frames(3);
-        player->clickItem("Change the keys");
-        player->frames(3);
+        player->openKeysPage();
         ASSERT_EQ(player->app().menu().page(), MenuPage::keys);
     }
     void closeKeys() {
