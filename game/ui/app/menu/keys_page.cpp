@@ -77,8 +77,9 @@ void KeysPage::drawRow(UiContext& context, CommandInfo const& command) {
     chosen = context.focus.item() || chosen;
     bool none = context.focus.here() && !taking_ &&
                 (context.menuKeys.pressed(MenuKey::erase) || context.menuKeys.pressed(MenuKey::type));
-    drawKeyRow(command, labelsOf(context.keys.keysOf(command.id)), waiting_ == &command, hovered);
-    if (hovered && command.tip != command.name) {
+    bool const waits = waiting_ == &command;
+    drawKeyRow(command, labelsOf(context.keys.keysOf(command.id)), waits, hovered);
+    if (hovered && !waits && command.tip != command.name) { // the tip would hide what the row asks for
         ImGui::SetTooltip("%s", words::wrapped(shownTip(command, false, context.keys), 60).c_str());
     }
     if (!command.essential) {
