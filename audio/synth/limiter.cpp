@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <utility>
 
 namespace trembler {
 namespace {
@@ -78,15 +77,10 @@ void Limiter::clear() {
     first_ = waiting_ = 0;
     gain_ = 1;
     reduced_ = 0;
-    leastGain_ = 1;
 }
 
 int Limiter::latency() const {
     return reach + static_cast<int>(attack_) - 1;
-}
-
-double Limiter::takeLeastGain() {
-    return std::exchange(leastGain_, 1.0);
 }
 
 // The greatest of the points between this sample and the next one, of both channels.
@@ -170,7 +164,6 @@ void Limiter::process(std::span<float> samples) {
             float const sample = signal_[2 * out + channel];
             samples[n + channel] = gain < 1 ? static_cast<float>(gain * static_cast<double>(sample)) : sample;
         }
-        leastGain_ = std::min(leastGain_, gain);
     }
 }
 

@@ -36,8 +36,6 @@ public:
 
     /// The delay, in samples of one channel: 1.7 ms.
     [[nodiscard]] int latency() const;
-    /// The least gain since the last call: 1 if nothing was limited.
-    [[nodiscard]] double takeLeastGain();
 
 private:
     static constexpr int points = 8; ///< per sample of the interpolated signal
@@ -69,7 +67,6 @@ private:
     std::size_t waiting_ = 0; // number of valid demands_
     double gain_ = 1;         // before smoothing
     std::size_t reduced_ = 0; // number of gains_ below 1
-    double leastGain_ = 1;
 };
 
 } // namespace trembler
