@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <utility>
 
 namespace trembler {
 namespace {
@@ -38,7 +39,8 @@ std::size_t samplesIn(double seconds, int rate) {
 } // namespace
 
 Limiter::Limiter(LimiterOptions const& options)
-    : ceiling_(options.ceiling), recovery_(1 - std::exp(-1 / (options.release * options.rate))),
+    : ceiling_(options.ceiling), step_(options.step),
+      recovery_(1 - std::exp(-1 / (options.release * options.rate))),
       attack_(samplesIn(options.attack, options.rate)) {
     std::size_t const length = std::bit_ceil(attack_ + 2 * static_cast<std::size_t>(reach) + 1);
     mask_ = length - 1;
@@ -73,7 +75,7 @@ void Limiter::clear() {
     std::fill(gains_.begin(), gains_.end(), 1.0);
     now_ = static_cast<std::size_t>(2 * reach) + attack_; // so that no index is negative
     loudAt_ = 0;
-    peakBefore_ = 0;
+    peakBefore_ = stepBefore_ = 0;
     first_ = waiting_ = 0;
     gain_ = 1;
     reduced_ = 0;
@@ -96,6 +98,16 @@ double Limiter::peakAfter(std::size_t sample) const {
             right += *tap * signal_[2 * (at & mask_) + 1];
         }
         greatest = std::max({greatest, std::abs(left), std::abs(right)});
+    }
+    return static_cast<double>(greatest);
+}
+
+// The greater difference to the next sample of both channels.
+double Limiter::stepAfter(std::size_t sample) const {
+    float greatest = 0;
+    for (std::size_t channel = 0; channel < 2; ++channel) {
+        greatest = std::max(greatest, std::abs(signal_[2 * ((sample + 1) & mask_) + channel] -
+                                               signal_[2 * (sample & mask_) + channel]));
     }
     return static_cast<double>(greatest);
 }
@@ -149,16 +161,20 @@ void Limiter::process(std::span<float> samples) {
             }
         }
         // Of the sample `reach` ago all points around it are known.
+        std::size_t const sample = now_ - back;
         double peak = 0;
         double after = 0;
         if (loudAt_ + 2 * back > now_) {
-            std::size_t const sample = now_ - back;
             after = peakAfter(sample);
             peak = std::max({peakBefore_, after, static_cast<double>(std::abs(signal_[2 * (sample & mask_)])),
                              static_cast<double>(std::abs(signal_[2 * (sample & mask_) + 1]))});
         }
         peakBefore_ = after;
-        double const gain = smoothed(leastAhead(peak > ceiling_ ? ceiling_ / peak : 1));
+        double const next = stepAfter(sample);
+        double const step = std::max(std::exchange(stepBefore_, next), next);
+        double const needed =
+            std::min(peak > ceiling_ ? ceiling_ / peak : 1, step > step_ ? step_ / step : 1);
+        double const gain = smoothed(leastAhead(needed));
         std::size_t const out = (now_ - back - (attack_ - 1)) & mask_;
         for (std::size_t channel = 0; channel < 2; ++channel) {
             float const sample = signal_[2 * out + channel];
