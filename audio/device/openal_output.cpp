@@ -135,10 +135,10 @@ void OpenAlOutput::set(OutputSettings const& settings) {
 // directly. They are 20 dB below full scale.
 void OpenAlOutput::playOnce(std::span<float const> samples, double gain) {
     if (speaker_ != nullptr) {
-        speaker_->playOnce(samples, gain * std::clamp(settings_.volume, 0.0, 1.0) / fullScale);
+        speaker_->playOnce(samples, gain * std::clamp(settings_.volume, 0.0, 1.0) / interfaceFullScale);
     } else {
         alcMakeContextCurrent(context_);
-        streams_.once(samples, gain);
+        streams_.once(samples, gain * fullScale / interfaceFullScale);
     }
 }
 

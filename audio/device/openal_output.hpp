@@ -47,8 +47,10 @@ public:
 
     /// The greatest number of streams with separate places; fainter streams have no direction.
     static constexpr std::size_t mostPlaces = 64;
-    /// Full scale, in Pa at the listener: 100 dB.
-    static constexpr double fullScale = 2;
+    /// Full scale of the mix, in Pa at the listener: 94 dB.
+    static constexpr double fullScale = 1;
+    /// Full scale of the sounds of the interface, in Pa: they stay below those of the world.
+    static constexpr double interfaceFullScale = 2;
 
 private:
     OpenAlOutput(ALCdevice* device, OpenAlExtensions const& extensions, SynthesiserOptions const& format);
