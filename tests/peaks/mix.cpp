@@ -3,8 +3,12 @@
 #include "audio/device/loudspeaker.hpp"
 #include "audio/device/openal_output.hpp"
 #include "game/ui/headless/run_sound.hpp"
+#include "puzzle/goals/level_schema.hpp"
 #include "puzzle/run/runner.hpp"
+#include "runtime/level/read/read_level.hpp"
 #include "tests/audio/synth/true_peak.hpp"
+#include "tests/levels/level_kit.hpp"
+#include "tests/worlds/trial.hpp"
 
 #include <fmt/format.h>
 
@@ -70,6 +74,26 @@ Mix mixOf(Registry const& registry, PartLibrary const& parts, LevelFile const& l
     mix.truePeak = test::inDecibels(peak);
     mix.loudest = 0.5 * test::inDecibels(loudest);
     return mix;
+}
+
+RandomMixes::RandomMixes()
+    : schema_(levelSchema(levelKit().registry)), levels_(schema_, levelKit().parts.names()) {}
+
+RandomMixes::Named RandomMixes::next(std::uint64_t frames) {
+    for (;; ++seed_) {
+        if (worlds::mannerOf(seed_).spread < 1) {
+            continue;
+        }
+        // The trial removes what the reader refuses, and keeps worlds away that end the process.
+        worlds::Outcome const outcome =
+            worlds::tryOut(levels_.make(seed_), schema_, {.engines = {"box2d"}, .threads = {1}, .frames = 1});
+        if (!outcome.played || !outcome.failures.empty()) {
+            continue;
+        }
+        LevelFile const level =
+            readLevel(levelKit().registry, JsonDocument::parse(outcome.level.dump(), "random.json"));
+        return {seed_++, mixOf(levelKit().registry, levelKit().parts, level, "", frames)};
+    }
 }
 
 std::string faultOf(Mix const& mix) {
