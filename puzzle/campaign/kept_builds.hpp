@@ -28,8 +28,8 @@ public:
 
     /// The file of a level. Names of different levels give different files.
     [[nodiscard]] std::filesystem::path fileOf(std::string const& levelId) const;
-    /// Writes a build, as buildOf() states it; if nothing is built the file is removed. What cannot be written
-    /// is kept in memory, and tried again by pass(): see unwritten().
+    /// Writes a build, as buildOf() states it; if nothing is built the file is removed. What cannot be
+    /// written is kept in memory, and tried again by pass(): see unwritten().
     void keep(std::string const& levelId, std::string const& build);
     /// Places the kept parts and wires, while building and with nothing placed. If the level has changed so
     /// that it does not fit as a whole, parts are placed one by one; returns how many were left out. Without
@@ -56,7 +56,8 @@ private:
     double sinceTry_ = 0; // s
 };
 
-/// Hands on the builds of one level while it is played: soon after each change, at most `delay` seconds later.
+/// Hands on the builds of one level while it is played: soon after each change, at most `delay` seconds
+/// later.
 class BuildKeeper {
 public:
     /// How long a change may wait, s: several soon after one another, as when a part is turned, are one.

@@ -1,5 +1,5 @@
-// The system calls with which files are written, in one place, so that tests can have each of them fail, or end
-// the program before it.
+// The system calls with which files are written, in one place, so that tests can have each of them fail, or
+// end the program before it.
 #pragma once
 
 #include <cstddef>

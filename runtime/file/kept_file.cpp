@@ -54,8 +54,7 @@ bool isWholeJson(std::string_view text) {
     return begin != std::string_view::npos && text[begin] == '{' && nlohmann::json::accept(text);
 }
 
-KeptFile::KeptFile(fs::path const& file, IsWhole whole)
-    : file_(fileBehind(file)), whole_(std::move(whole)) {}
+KeptFile::KeptFile(fs::path const& file, IsWhole whole) : file_(fileBehind(file)), whole_(std::move(whole)) {}
 
 fs::path KeptFile::lastGood() const {
     fs::path last = file_;

@@ -1,10 +1,12 @@
-// A file that a player owns: progress, settings, parts, solutions, levels. Everything of that kind is read and
-// written here, so that whatever happens a good version remains:
+// A file that a player owns: progress, settings, parts, solutions, levels. Everything of that kind is read
+// and written here, so that whatever happens a good version remains:
 //
 // - It is written aside, synchronised and renamed; the version before it is kept as FILE~, the last good one.
-// - One that is cut, empty or damaged is moved aside to FILE.damaged-1, never overwritten, and the last good one
+// - One that is cut, empty or damaged is moved aside to FILE.damaged-1, never overwritten, and the last good
+// one
 //   is taken in its place.
-// - Programs that change the same file at the same time do so one after the other, each from what is there then.
+// - Programs that change the same file at the same time do so one after the other, each from what is there
+// then.
 //
 // Files that are only ever written as new ones, such as pictures, are written with writeNewFile() instead.
 #pragma once

@@ -37,7 +37,9 @@ public:
         return fails("open " + nameOf(path)) ? -1 : FileCalls::open(path, flags, mode);
     }
     ::ssize_t write(int descriptor, void const* bytes, std::size_t count) override {
-        return fails("write") ? -1 : FileCalls::write(descriptor, bytes, slow ? std::min<std::size_t>(count, 1) : count);
+        return fails("write")
+                   ? -1
+                   : FileCalls::write(descriptor, bytes, slow ? std::min<std::size_t>(count, 1) : count);
     }
     int fsync(int descriptor) override {
         struct ::stat is {};

@@ -190,6 +190,18 @@ void GameApp::toggleFullscreen() {
     changeSettings(context_, settings);
 }
 
+void GameApp::quit() {
+    keepAtOnce();
+    bool const lost =
+        context_.profile.unwritten() || context_.builds.unwritten() || context_.pending.waiting() > 0;
+    if (lost && !std::exchange(warned_, true)) {
+        menu_.close();
+        context_.toasts.add(text("kept.quit_again"), render::ToastKind::Trouble, 10);
+        return;
+    }
+    going_ = false;
+}
+
 void GameApp::follow(ScreenRequest const& asked) {
     struct Follower {
         GameApp& app;
@@ -202,7 +214,7 @@ void GameApp::follow(ScreenRequest const& asked) {
         void operator()(request::OpenEditor const& wanted) const { app.edit(wanted.level); }
         void operator()(request::ShowTitle const&) const { app.showTitle(); }
         void operator()(request::SwitchFullscreen const&) const { app.toggleFullscreen(); }
-        void operator()(request::Quit const&) const { app.going_ = false; }
+        void operator()(request::Quit const&) const { app.quit(); }
     };
     bool const stays = std::holds_alternative<request::OpenMenu>(asked) ||
                        std::holds_alternative<request::SwitchFullscreen>(asked);

@@ -85,6 +85,8 @@ private:
     [[nodiscard]] bool lively() const;
     void takeKinds();
     void keepOwned(double seconds);
+    /// At the first time only a warning, if something would be lost.
+    void quit();
     void toggleFullscreen();
 
     std::shared_ptr<GameData const> newest_; // with the parts made in the editor; nullptr: none was made
@@ -95,6 +97,7 @@ private:
     std::unique_ptr<Screen> screen_;        // never nullptr
     ClickSounds clicks_;
     bool going_ = true;
+    bool warned_ = false;  // that something would be lost
     double sinceNews_ = 0; // s
 };
 

@@ -82,9 +82,7 @@ fs::path writePart(fs::path const& folder, Json const& part) {
     std::string const name = fileNameOf(textOf(part, "name"));
     return writeNewFile(
         folder,
-        [&](int number) {
-            return number == 1 ? name + ".json" : fmt::format("{}_{}.json", name, number);
-        },
+        [&](int number) { return number == 1 ? name + ".json" : fmt::format("{}_{}.json", name, number); },
         layOutFile(part));
 }
 

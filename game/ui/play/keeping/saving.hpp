@@ -11,8 +11,8 @@
 namespace trembler::ui {
 
 /// Writes the run so far to a file. Shows a message with the name by which the solution is found, or with the
-/// reason why nothing is saved; if it is the disk's, it is tried again. `levelId`: among whose solutions it is
-/// listed. `saved` must outlive `pending`.
+/// reason why nothing is saved; if it is the disk's, it is tried again. `levelId`: among whose solutions it
+/// is listed. `saved` must outlive `pending`.
 void saveSolution(Session const& session, std::string const& levelId, SavedSolutions const& saved,
                   render::Toasts& toasts, PendingWrites& pending);
 

@@ -40,7 +40,7 @@ std::int64_t timeIn(Json const& profile, std::string const& name) {
     Json const* const times = memberOf(profile, timesKey);
     Json const* const at = times == nullptr ? nullptr : memberOf(*times, name);
     return at != nullptr && at->is_number_integer() && *at >= 0 && *at <= latest ? at->get<std::int64_t>()
-                                                                                : -1;
+                                                                                 : -1;
 }
 
 Json const* valueIn(Json const& profile, std::string const& name) {
@@ -65,7 +65,8 @@ void readKeys(Json const& profile, ProfileEntries& read) {
     } else if (stated != nullptr) {
         for (auto const& [id, names] : stated->items()) {
             if (isListOfTexts(names)) {
-                read.values[nameOfKeys(id)] = {names, std::max<std::int64_t>(0, timeIn(profile, nameOfKeys(id)))};
+                read.values[nameOfKeys(id)] = {names,
+                                               std::max<std::int64_t>(0, timeIn(profile, nameOfKeys(id)))};
             } else {
                 read.troubles.push_back(
                     words::keysNotRead("\"" + id + "\" to be a list of keys, like [\"Space\"]"));
@@ -214,8 +215,8 @@ Json withAdded(Json present, TimedValues const& values, CampaignProgress const& 
         Json const* const there = valueIn(present, name);
         // Of two at the same time it does not matter which, but every program must decide alike.
         bool const later =
-            timed.at > at ||
-            (timed.at == at && timed.at > 0 && timed.value.dump() > (there == nullptr ? "null" : there->dump()));
+            timed.at > at || (timed.at == at && timed.at > 0 &&
+                              timed.value.dump() > (there == nullptr ? "null" : there->dump()));
         if (later) {
             setValue(present, name, timed);
         }

@@ -3,8 +3,8 @@
 //     {"volume": 30, ..., "keys": {"run": ["F5"]}, "progress": {...},
 //      "changed_at": {"volume": 1764230400000, "keys.run": 1764230400500, ...}}
 //
-// Each setting, and the keys of each command, have the time of their last change by the player. Entries that the
-// program does not know stay as they are: a newer version may have written them.
+// Each setting, and the keys of each command, have the time of their last change by the player. Entries that
+// the program does not know stay as they are: a newer version may have written them.
 #pragma once
 
 #include "game/ui/shared/kept/settings.hpp"

@@ -1,7 +1,7 @@
 // What cannot be written, and what was damaged, is said in the window, on the real screens.
-#include "tests/game/ui/drawn_text.hpp"
 #include "puzzle/edit/commands/contents.hpp"
 #include "puzzle/edit/recovery/autosave.hpp"
+#include "tests/game/ui/drawn_text.hpp"
 #include "tests/game/ui/edit/editor_kit.hpp"
 
 #include <cstdlib>
@@ -122,7 +122,8 @@ TEST_F(Blocked, ADamagedProfileIsReportedAndTheLastGoodOneTaken) {
         Settings settings = player.app().context().profile.settings();
         settings.volume = 5;
         changeSettings(player.app().context(), settings);
-        EXPECT_EQ(textOfFile(file.string() + ".damaged-1"), damaged) << "a changed setting overwrites nothing";
+        EXPECT_EQ(textOfFile(file.string() + ".damaged-1"), damaged)
+            << "a changed setting overwrites nothing";
         EXPECT_TRUE(Profile(file).solved("first/1-first-contact.json"));
     }
 }
@@ -154,6 +155,31 @@ TEST_F(Blocked, PicturesSolutionsAndBuildsAreReportedAndWrittenLater) {
     EXPECT_TRUE(fs::exists(context.builds.fileOf("first/1-first-contact.json")));
     EXPECT_FALSE(context.builds.unwritten());
     fs::remove_all(player.films());
+}
+
+TEST_F(Blocked, QuittingAsksOnceWhileSomethingIsNotSaved) {
+    auto const quit = [](Player& player) {
+        SDL_Event event{};
+        event.type = SDL_QUIT;
+        SDL_PushEvent(&event);
+        player.frames(2);
+    };
+    {
+        Player player({800, 600}, place / "profile.json");
+        player.app().context().profile.markSolved("x");
+        quit(player);
+        EXPECT_TRUE(player.going());
+        EXPECT_TRUE(says("Not everything is saved")) << player.app().context().toasts.newest();
+        player.look("kept-quit-800");
+        quit(player);
+        EXPECT_FALSE(player.going()) << "the player has agreed";
+    }
+    Player player({800, 600}, place / "profile.json");
+    player.app().context().profile.markSolved("x");
+    free();
+    quit(player);
+    EXPECT_FALSE(player.going()) << "it could be written at the last moment";
+    EXPECT_TRUE(Profile(place / "profile.json").solved("x"));
 }
 
 TEST_F(Blocked, UnsavedWorkInTheEditorIsReported) {
@@ -200,8 +226,8 @@ TEST_F(Blocked, ALevelThatCannotBeSavedIsReportedWithTheReason) {
     fs::copy_file(levelsFolder() / "first/1-first-contact.json", place / "level.json");
     designer.app().edit(place / "level.json");
     designer.frames(4);
-    EXPECT_TRUE(designer.parts().run(
-        [](edit::Json const& level) { return edit::setTitle(level, "another"); }));
+    EXPECT_TRUE(
+        designer.parts().run([](edit::Json const& level) { return edit::setTitle(level, "another"); }));
     block();
     designer.ctrl(SDLK_s);
     designer.look("kept-level-800");

@@ -44,8 +44,8 @@ TEST(Saving, OnlyARunIsSaved) {
     std::filesystem::remove(folder);
     pending.pass(PendingWrites::patience);
     ASSERT_EQ(saved.of("magnet").size(), 1U);
-    auto const later = findOrLoadSolution(gameData().registry, session.level(),
-                                          saved.of("magnet").front().file.string());
+    auto const later =
+        findOrLoadSolution(gameData().registry, session.level(), saved.of("magnet").front().file.string());
     EXPECT_EQ(later.frames, 120) << "as it was when the player asked";
 }
 
