@@ -12,7 +12,7 @@ namespace {
 
 TEST(Progress, NeverHasFewerStarsThanEitherPart) {
     std::mt19937 random(3);
-    auto const any = [&](std::uint32_t below) { return random() % below; };
+    auto const any = [&](std::uint32_t below) { return static_cast<std::uint32_t>(random() % below); };
     auto const names = [&](std::uint32_t most) {
         std::set<std::string> all;
         for (std::uint32_t i = any(most + 1); i > 0; --i) {

@@ -175,7 +175,7 @@ TEST_F(ProfileFile, TheLaterChoiceStaysWhateverTheClockSaid) {
 
 TEST_F(ProfileFile, AllOrdersOfAddingGiveTheSame) {
     std::mt19937 random(7);
-    auto const any = [&](std::uint32_t below) { return random() % below; };
+    auto const any = [&](std::uint32_t below) { return static_cast<std::uint32_t>(random() % below); };
     for (int round = 0; round < 200; ++round) {
         std::vector<TimedValues> values(3);
         std::vector<CampaignProgress> progress(3);
