@@ -227,7 +227,8 @@ Json withAdded(Json present, TimedValues const& values, CampaignProgress const& 
     if (!levels.is_object()) {
         levels = Json::object();
     }
-    for (auto const& [id, level] : all.written().items()) {
+    Json const written = all.written(); // outlives the loop over it
+    for (auto const& [id, level] : written.items()) {
         Json& there = levels[id];
         if (!there.is_object()) {
             there = Json::object();
