@@ -43,10 +43,11 @@ protected:
         before = stated == nullptr ? std::nullopt : std::optional<std::string>(stated);
         ::setenv("XDG_DATA_HOME", where.c_str(), 1);
     }
-    /// Whether the picture has a line that begins like this.
-    static bool says(std::string const& begin) {
+    /// Whether the picture has a line with these words, once messages have faded in.
+    static bool says(Player& player, std::string const& words) {
+        player.frames(20);
         for (DrawnText const& text : drawnTexts()) {
-            if (text.text.find(begin) != std::string::npos) {
+            if (text.text.find(words) != std::string::npos) {
                 return true;
             }
         }
@@ -82,7 +83,7 @@ TEST_F(Blocked, StarsAndSettingsAreReportedOnceAndWrittenLater) {
             changeSettings(context, {.reducedMotion = true, .language = language.id});
             player.open(levelsFolder() / "first/1-first-contact.json");
             EXPECT_EQ(context.toasts.count(), 1U);
-            EXPECT_TRUE(says(language.not_written)) << context.toasts.newest();
+            EXPECT_TRUE(says(player, language.not_written)) << context.toasts.newest();
             EXPECT_NE(context.toasts.newest().find(language.advice), std::string::npos)
                 << context.toasts.newest();
             player.look(std::string("kept-profile-") + language.id + "-" + std::to_string(size.width));
@@ -116,7 +117,7 @@ TEST_F(Blocked, ADamagedProfileIsReportedAndTheLastGoodOneTaken) {
         fs::resize_file(file, fs::file_size(file) - 10);
         std::string const damaged = textOfFile(file);
         Player player(size, file);
-        EXPECT_TRUE(says("was damaged")) << player.app().context().toasts.newest();
+        EXPECT_TRUE(says(player, "was damaged")) << player.app().context().toasts.newest();
         EXPECT_TRUE(player.app().context().profile.solved("first/1-first-contact.json"));
         player.look("kept-damaged-" + std::to_string(size.width));
         Settings settings = player.app().context().profile.settings();
@@ -136,14 +137,14 @@ TEST_F(Blocked, PicturesSolutionsAndBuildsAreReportedAndWrittenLater) {
     player.open(levelsFolder() / "first/1-first-contact.json");
     player.key(SDLK_F12);
     player.look("kept-picture-800");
-    EXPECT_TRUE(says("The picture cannot be saved")) << context.toasts.newest();
+    EXPECT_TRUE(says(player, "The picture cannot be saved")) << context.toasts.newest();
     ASSERT_TRUE(player.session().place({"steel bar", {-1.8, 1.3}, 0, ""}));
     wait(player, 2);
-    EXPECT_TRUE(says("What you built cannot be saved")) << context.toasts.newest();
+    EXPECT_TRUE(says(player, "What you built cannot be saved")) << context.toasts.newest();
     player.key(SDLK_SPACE);
     player.frames(10);
     player.key(SDLK_s, KMOD_LCTRL);
-    EXPECT_TRUE(says("The solution cannot be saved")) << context.toasts.newest();
+    EXPECT_TRUE(says(player, "The solution cannot be saved")) << context.toasts.newest();
     EXPECT_EQ(context.pending.waiting(), 2U);
     player.look("kept-solution-800");
     free();
@@ -169,7 +170,7 @@ TEST_F(Blocked, QuittingAsksOnceWhileSomethingIsNotSaved) {
         player.app().context().profile.markSolved("x");
         quit(player);
         EXPECT_TRUE(player.going());
-        EXPECT_TRUE(says("Not everything is saved")) << player.app().context().toasts.newest();
+        EXPECT_TRUE(says(player, "Not everything is saved")) << player.app().context().toasts.newest();
         player.look("kept-quit-800");
         quit(player);
         EXPECT_FALSE(player.going()) << "the player has agreed";
@@ -202,9 +203,9 @@ TEST_F(Blocked, UnsavedWorkInTheEditorIsReported) {
             EXPECT_TRUE(designer.parts().run(
                 [](edit::Json const& level) { return edit::setTitle(level, "another"); }));
             wait(designer, 1.5);
-            EXPECT_TRUE(says(language.toast)) << context.toasts.newest();
+            EXPECT_TRUE(says(designer, language.toast)) << context.toasts.newest();
             EXPECT_TRUE(designer.shows("not safe"));
-            EXPECT_TRUE(says(language.beside));
+            EXPECT_TRUE(says(designer, language.beside));
             designer.look(std::string("kept-editor-") + language.id + "-" + std::to_string(size.width));
             std::size_t const said = context.toasts.count();
             wait(designer, 3);
@@ -231,7 +232,7 @@ TEST_F(Blocked, ALevelThatCannotBeSavedIsReportedWithTheReason) {
     block();
     designer.ctrl(SDLK_s);
     designer.look("kept-level-800");
-    EXPECT_TRUE(says("The level cannot be saved")) << designer.app().context().toasts.newest();
+    EXPECT_TRUE(says(designer, "The level cannot be saved")) << designer.app().context().toasts.newest();
     EXPECT_TRUE(designer.parts().document.modified());
     free();
     fs::create_directories(place);
