@@ -91,11 +91,11 @@ void Profile::read() {
     try {
         found = KeptFile(file_, isWholeProfile).read();
     } catch (InputError const& error) {
-        troubles_.push_back(notReadable(error));
+        troubles_.emplace_back([error] { return notReadable(error); });
         return;
     }
     if (found.damaged) {
-        troubles_.push_back(inWords(*found.damaged));
+        troubles_.emplace_back([damaged = *found.damaged] { return inWords(damaged); });
     }
     if (found.text) {
         ProfileEntries entries = readProfile(*found.text);
@@ -105,6 +105,14 @@ void Profile::read() {
     }
     settings_ = settingsOf(values_);
     keys_ = keysOf(values_);
+}
+
+std::vector<std::string> Profile::troubles() const {
+    std::vector<std::string> sentences;
+    for (auto const& sentence : troubles_) {
+        sentences.push_back(sentence());
+    }
+    return sentences;
 }
 
 void Profile::change(std::string const& name, Json value) {

@@ -42,8 +42,8 @@ public:
     [[nodiscard]] StatedKeys const& keys() const { return keys_; }
     void setKeys(StatedKeys keys);
     /// A sentence for each thing that was wrong with the file when it was read: that it was damaged, or which
-    /// entries could not be read.
-    [[nodiscard]] std::vector<std::string> const& troubles() const { return troubles_; }
+    /// entries could not be read. In the language in use.
+    [[nodiscard]] std::vector<std::string> troubles() const;
 
     /// Why the last changes are not in the file; nothing if they are.
     [[nodiscard]] std::optional<OutputError> const& unwritten() const { return unwritten_; }
@@ -68,7 +68,7 @@ private:
     CampaignProgress progress_;
     TimedValues values_;           // as far as they were stated or chosen
     std::set<std::string> chosen_; // just now: later than whatever is in the file
-    std::vector<std::string> troubles_;
+    std::vector<std::function<std::string()>> troubles_;
     std::optional<OutputError> unwritten_;
     double sinceTry_ = 0; // s
 };

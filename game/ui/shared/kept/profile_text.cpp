@@ -61,15 +61,17 @@ bool isListOfTexts(Json const& value) {
 void readKeys(Json const& profile, ProfileEntries& read) {
     Json const* const stated = memberOf(profile, keysKey);
     if (stated != nullptr && !stated->is_object()) {
-        read.troubles.push_back(words::keysNotRead("an object, like {\"run\": [\"Space\"]}"));
+        read.troubles.emplace_back(
+            [] { return words::keysNotRead("an object, like {\"run\": [\"Space\"]}"); });
     } else if (stated != nullptr) {
         for (auto const& [id, names] : stated->items()) {
             if (isListOfTexts(names)) {
                 read.values[nameOfKeys(id)] = {names,
                                                std::max<std::int64_t>(0, timeIn(profile, nameOfKeys(id)))};
             } else {
-                read.troubles.push_back(
-                    words::keysNotRead("\"" + id + "\" to be a list of keys, like [\"Space\"]"));
+                read.troubles.emplace_back([id = id] {
+                    return words::keysNotRead("\"" + id + "\" to be a list of keys, like [\"Space\"]");
+                });
             }
         }
     }
@@ -181,7 +183,7 @@ ProfileEntries readProfile(std::string_view text) {
         if (fits) {
             read.values[name] = {*value, std::max<std::int64_t>(0, timeIn(all, name))};
         } else {
-            read.troubles.push_back(textWith("kept.setting_not_read", name));
+            read.troubles.emplace_back([name = name] { return textWith("kept.setting_not_read", name); });
         }
     }
     readKeys(all, read);

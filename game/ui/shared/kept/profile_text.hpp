@@ -13,6 +13,7 @@
 #include <nlohmann/json.hpp>
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <string>
 #include <string_view>
@@ -35,7 +36,9 @@ using TimedValues = std::map<std::string, TimedValue>;
 struct ProfileEntries {
     TimedValues values; ///< those that the file states; the names of others are not in it
     CampaignProgress progress;
-    std::vector<std::string> troubles; ///< a sentence for each entry that is not understood
+    /// For each entry that is not understood a sentence, in the language that is in use when it is made: the
+    /// profile is read before its language is known.
+    std::vector<std::function<std::string()>> troubles;
 };
 /// Reads a text for which isWholeProfile() is true. Damaged entries do not affect the others.
 [[nodiscard]] ProfileEntries readProfile(std::string_view text);
