@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <utility>
 
 namespace trembler {
 namespace {
@@ -48,6 +49,21 @@ bool CampaignProgress::addKind(std::string const& levelId, SolutionKind kind) {
         kinds.push_back(std::move(kind));
     }
     return other;
+}
+
+void CampaignProgress::add(CampaignProgress const& other) {
+    for (auto const& [id, theirs] : other.levels_) {
+        LevelProgress& mine = levels_[id];
+        mine.solved = mine.solved || theirs.solved;
+        // One kind may be like each of two that differ: so the longer list stays as it is.
+        std::vector<SolutionKind> fewer = theirs.kinds;
+        if (fewer.size() > mine.kinds.size()) {
+            std::swap(fewer, mine.kinds);
+        }
+        for (SolutionKind& kind : fewer) {
+            addKind(id, std::move(kind));
+        }
+    }
 }
 
 Json CampaignProgress::written() const {

@@ -137,7 +137,8 @@ int playInWindow(GameData const& gameData, PlayOptions const& options) {
                  .world = options.world,
                  .loudspeaker = &loudspeaker,
                  .levelData = options.levelData,
-                 .mods = options.mods});
+                 .mods = options.mods,
+                 .faults = gameData.ownPartFaults});
     if (options.fullscreen) {
         window.setFullscreen(true);
     }
@@ -153,6 +154,10 @@ int playInWindow(GameData const& gameData, PlayOptions const& options) {
     }
     GameLoop loop(app, window);
     while (loop.turn()) {
+    }
+    app.keepAtOnce();
+    if (auto const& why = app.context().profile.unwritten()) { // the window is about to be gone
+        std::cerr << why->what() << std::endl;
     }
     return 0;
 }

@@ -66,6 +66,7 @@ void EditParts::tell(std::string text, render::ToastKind kind) {
 
 void EditParts::use(edit::LevelDocument next, std::shared_ptr<GameData const> nextData) {
     autosave->close();
+    context.pending.forget(Owned::unsavedLevel);
     autosave = std::make_unique<edit::Autosave>(options.recovery);
     document = std::move(next);
     setData(std::move(nextData));
@@ -199,6 +200,7 @@ void EditParts::follow(double seconds, bool dragging) {
         problems.refresh(document);
     }
     autosave->tick(document, seconds);
+    context.pending.look(Owned::unsavedLevel, autosave->error());
 }
 
 render::Extent EditParts::extent() const {

@@ -21,6 +21,7 @@
 #include <array>
 #include <iterator>
 #include <utility>
+#include <vector>
 
 namespace trembler::ui {
 namespace {
@@ -49,8 +50,12 @@ EditScreen::EditScreen(UiContext& context, std::filesystem::path const& file, Ed
     }
     parts_.problems.refresh(parts_.document);
     if (!parts_.dialogs.isOpen()) {
-        if (auto const recovery = edit::findRecovery(parts_.options.recovery, file)) {
+        std::vector<DamagedFile> damaged;
+        if (auto const recovery = edit::findRecovery(parts_.options.recovery, file, &damaged)) {
             parts_.dialogs.offerRecovery({*recovery});
+        }
+        for (DamagedFile const& one : damaged) {
+            context.toasts.add(inWords(one), ToastKind::Trouble, 12);
         }
     }
 }
@@ -285,6 +290,7 @@ void EditScreen::leave() {
     parts_.studies->stopAll();
     // In order: the designer has given up the unsaved changes.
     parts_.autosave->close();
+    parts_.context.pending.forget(Owned::unsavedLevel);
 }
 
 } // namespace trembler::ui

@@ -247,6 +247,7 @@ inline char const* const& snapTip = editWord("Snap places and angles to the grid
 inline char const* const& readOnlyShort = editWord("read-only");
 inline char const* const& notSaved = editWord("not saved yet");
 inline char const* const& allSaved = editWord("saved");
+inline char const* const& notSafe = editWord("not safe from a crash");
 inline char const* const& testBack = editWord("Back to the editor");
 inline char const* const& playing = editWord("Test play");
 inline char const* const& recordIt = editWord("Record as a solution");

@@ -129,13 +129,13 @@ void drawRecording(PlayParts const& parts) {
 void savePlot(PlayParts& parts, std::string const& ending) {
     UiContext& context = parts.context;
     ProbePanel const& probes = parts.timeline.probes();
-    try {
-        std::string const content = ending == ".csv" ? probes.csv() : probes.svg(parts.timeline.last());
-        auto const path = context.recorder.writeText("plot", ending.c_str(), content);
-        context.toasts.add(textWith("Saved: {}", path.string()), render::ToastKind::News, 6);
-    } catch (std::runtime_error const& error) {
-        context.toasts.add(translated(error.what()), render::ToastKind::Trouble, 6);
-    }
+    std::string const content = ending == ".csv" ? probes.csv() : probes.svg(parts.timeline.last());
+    context.pending.write(
+        Owned::plot,
+        [&recorder = context.recorder, ending, content] {
+            return textWith("Saved: {}", shownPath(recorder.write("plot", ending, content)));
+        },
+        content.size());
 }
 
 /// The timeline, the plots above it, and the card in which they are chosen.

@@ -48,7 +48,7 @@ PlayParts::PlayParts(UiContext& uiContext, std::filesystem::path levelFile,
       audio(context.loudspeaker), touches(context.loudspeaker),
       run(session, placing, hand, budget, audio, view, runEvents()),
       lesson(session, !context.profile.solved(id)), keeper(context.builds, id),
-      film(context.recorder, context.toasts),
+      film(context.recorder, context.toasts, context.pending),
       loadableSolutions(context.solutions, id, data ? data->registry : context.registry, session,
                         context.profile.progress(), [this](Solution const& solution) { load(solution); }),
       picking(session, inspector), mouse(session, placing, group, wires, hand, secondHand, view, picking),
@@ -202,10 +202,7 @@ void PlayParts::continueHere() {
 }
 
 void PlayParts::keepBuild(double seconds) {
-    if (!keeper.pass(session, seconds)) {
-        context.toasts.add(textWith("builds.not_kept", translated(keeper.why())), render::ToastKind::Trouble,
-                           8);
-    }
+    keeper.pass(session, seconds);
 }
 
 void PlayParts::passMods(double seconds) {

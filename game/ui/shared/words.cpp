@@ -71,14 +71,8 @@ std::string keysNotRead(std::string const& what) {
     return textWith("Keys in your profile: expected {}.", visible(what));
 }
 
-std::string cannotWrite(std::string const& path, std::string const& why) {
-    return textWith("Nothing can be written to {}: {}.", path, why);
-}
 std::string pictureTaken(std::string const& path) {
     return textWith("Picture written to {}", path);
-}
-std::string solutionSaved(std::string const& path) {
-    return textWith("Saved as {}. \"trembler run\" plays it with --solution.", path);
 }
 
 std::string modLine(std::string const& name, std::string const& version, std::string const& author,

@@ -190,9 +190,7 @@ inline char const* const& budgetMeasuring = said("Measuring, for a second …");
 [[nodiscard]] std::string keysNotTaken(std::string const& id, std::string const& why);
 [[nodiscard]] std::string keysNotRead(std::string const& what);
 
-[[nodiscard]] std::string cannotWrite(std::string const& path, std::string const& why);
 [[nodiscard]] std::string pictureTaken(std::string const& path);
-[[nodiscard]] std::string solutionSaved(std::string const& path);
 [[nodiscard]] std::string andMore(std::size_t count);
 /// Of a mod: "wind 1.0, by the Trembler project, MIT"
 [[nodiscard]] std::string modLine(std::string const& name, std::string const& version,

@@ -120,7 +120,14 @@ void drawLevelName(EditParts& parts) {
     char const* const state = parts.document.readOnly() ? words::readOnlyShort
                               : parts.document.modified() || parts.document.path().empty() ? words::notSaved
                                                                                            : words::allSaved;
-    caption(state);
+    auto const& unsafe = parts.autosave->error();
+    caption(unsafe ? words::notSafe : state);
+    if (unsafe) {
+        layout.item("not safe");
+        if (ImGui::IsItemHovered()) {
+            ImGui::SetTooltip("%s", notWritten(Owned::unsavedLevel, *unsafe).c_str());
+        }
+    }
     ImGui::PopFont();
     layout.endCard();
 }

@@ -72,7 +72,8 @@ constexpr Command<PlayParts> programTable[] = {
               .help = "save a solution"},
      .run =
          [](PlayParts& parts) {
-             saveSolution(parts.session, parts.id, parts.context.solutions, parts.context.toasts);
+             saveSolution(parts.session, parts.id, parts.context.solutions, parts.context.toasts,
+                          parts.context.pending);
          }},
     {.info = {.id = "solutions",
               .icon = Icon::List,
