@@ -1,5 +1,6 @@
 #include "lua/mods/mod.hpp"
 
+#include "lua/mods/mod_name.hpp"
 #include "runtime/level/json/json_node.hpp"
 #include "runtime/level/json/suggestion.hpp"
 
@@ -31,12 +32,6 @@ std::vector<fs::path> filesIn(fs::path const& folder, std::string const& extensi
     return files;
 }
 
-bool isModName(std::string_view name) {
-    return !name.empty() && name.size() <= 40 && name.front() != '-' &&
-           std::all_of(name.begin(), name.end(),
-                       [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-'; });
-}
-
 std::string textOf(MemberReader& reader, std::string const& key, std::string_view expected) {
     auto const node = reader.required(key, expected);
     return node ? node->text(expected).value_or("") : std::string();
@@ -54,6 +49,12 @@ void readNeeds(JsonNode const& node, Mod& mod) {
 }
 
 } // namespace
+
+bool isModName(std::string_view name) {
+    return !name.empty() && name.size() <= 40 && name.front() != '-' &&
+           std::all_of(name.begin(), name.end(),
+                       [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-'; });
+}
 
 Mod readMod(fs::path const& folder, Problems& problems) {
     Mod mod;

@@ -154,7 +154,7 @@ void KeptFile::write(std::string_view text) const {
 
 KeptText KeptFile::change(std::function<std::optional<std::string>(KeptText const&)> const& text) const {
     fs::path const folder = folderOfFile(file_);
-    makeFolders(folder);
+    makeFolder(folder);
     FolderLock const lock(folder);
     KeptText found;
     if (fs::file_type const kind = kindOf(file_);

@@ -2,6 +2,7 @@
 
 #include "runtime/file/descriptor_stream.hpp"
 #include "runtime/file/file_calls.hpp"
+#include "runtime/file/folders.hpp"
 
 #include <fmt/format.h>
 
@@ -277,28 +278,10 @@ void writeFile(fs::path const& target, std::string_view bytes, OutputFile::Conte
 
 fs::path writeNewFile(fs::path const& folder, std::function<std::string(int)> const& name,
                       std::string_view bytes, OutputFile::Content content) {
-    makeFolders(folder);
+    makeFolder(folder);
     OutputFile file = OutputFile::newIn(folder, content);
     file.stream() << bytes;
     return file.commitNew(name);
-}
-
-void makeFolders(fs::path const& folder) {
-    std::error_code unknown;
-    if (folder.empty() || fs::is_directory(folder, unknown)) {
-        return;
-    }
-    fs::path const above = folderOf(folder);
-    if (folder.has_filename()) { // not only the "/" at the end of a name
-        makeFolders(above);
-        if (fileCalls().mkdir(folder.c_str(), 0777) == 0) {
-            synchroniseFolder(above);
-        } else if (int const error = errno; !fs::is_directory(folder, unknown)) {
-            throw OutputError(folder, error == EEXIST ? ENOTDIR : error); // a file has that name
-        }
-    } else if (above != folder) {
-        makeFolders(above);
-    }
 }
 
 void synchroniseFolder(fs::path const& folder) {

@@ -24,6 +24,9 @@ public:
     using std::runtime_error::runtime_error;
     /// `error` is an errno.
     OutputError(std::filesystem::path file, int error);
+    /// With another message.
+    OutputError(std::string const& message, std::filesystem::path file, int error)
+        : std::runtime_error(message), file_(std::move(file)), error_(error) {}
 
     /// The errno of the failure; 0 if it was none of the system's.
     [[nodiscard]] int error() const { return error_; }
@@ -115,10 +118,6 @@ void writeFile(std::filesystem::path const& target, std::string_view bytes,
                                                  std::function<std::string(int)> const& name,
                                                  std::string_view bytes,
                                                  OutputFile::Content content = OutputFile::Content::text);
-
-/// Makes a folder with those above it, and has the storage know of them; none of it is an error if it is
-/// there. Throws OutputError.
-void makeFolders(std::filesystem::path const& folder);
 
 /// Has the storage know of the names in a folder. Throws OutputError if the storage fails; a file system that
 /// has no such operation is no error.

@@ -2,9 +2,12 @@
 #include "game/app/commands.hpp"
 #include "game/app/mods/mod_reference_command.hpp"
 #include "game/app/mods/mods.hpp"
+#include "game/app/options/file_rules.hpp"
 #include "game/app/options/outputs.hpp"
 #include "lua/mods/lint.hpp"
+#include "lua/mods/mod_name.hpp"
 #include "runtime/file/visible_text.hpp"
+#include "runtime/level/json/suggestion.hpp"
 
 #include <fmt/format.h>
 
@@ -26,7 +29,6 @@ struct ModArguments {
 };
 
 int newMod(ModArguments const& arguments) {
-    checkFolderName("--in", arguments.in);
     fs::path const folder = fs::path(arguments.in) / arguments.name;
     lua::writeNewMod(folder, arguments.name);
     writeEditorFiles(folder);
@@ -47,20 +49,29 @@ std::vector<fs::path> levelsOf(fs::path const& folder) {
     return found;
 }
 
-/// The folder that is meant by a path or by the name of an installed mod.
-fs::path folderOf(ModArguments const& arguments) {
-    fs::path stated = arguments.name;
-    if (fs::exists(stated / "mod.json")) {
-        stated = fs::absolute(stated).lexically_normal(); // "." has no name
+/// The folder that is meant by a path or by the name of an installed mod; empty if there is none. Adds the
+/// names of the installed mods to `known`.
+fs::path folderOf(std::string const& name, std::vector<std::string> const& folders,
+                  std::vector<std::string>& known) {
+    std::error_code error;
+    if (fs::exists(fs::path(name) / "mod.json", error)) {
+        fs::path const stated = fs::absolute(name, error).lexically_normal(); // "." has no name
         return stated.has_filename() ? stated : stated.parent_path();
     }
-    for (fs::path const& mod : lua::listMods(lua::modFolders(arguments.folders, {}, homeFolder()))) {
-        if (mod.filename() == arguments.name) {
+    for (fs::path const& mod : lua::listMods(lua::modFolders(folders, {}, homeFolder()))) {
+        known.push_back(mod.filename().string());
+        if (known.back() == name) {
             return mod;
         }
     }
-    throw std::invalid_argument(
-        fmt::format("there is no mod '{}'; `trembler mod list` lists the installed mods", arguments.name));
+    return {};
+}
+
+Fault faultOfMod(ModArguments const& arguments, std::string const& name) {
+    std::vector<std::string> known;
+    return folderOf(name, arguments.folders, known).empty()
+               ? Fault("there is no such mod" + didYouMean(name, known))
+               : std::nullopt;
 }
 
 std::string counted(std::size_t count, std::string_view noun) {
@@ -89,7 +100,10 @@ std::size_t printLint(lua::Mod const& mod, std::size_t levels) {
 }
 
 int checkMod(ModArguments const& arguments) {
-    fs::path const folder = fs::absolute(folderOf(arguments)).lexically_normal();
+    std::vector<std::string> known;
+    std::error_code error;
+    fs::path const folder =
+        fs::absolute(folderOf(arguments.name, arguments.folders, known), error).lexically_normal();
     std::string const name = folder.filename().string();
     std::vector<std::string> folders = arguments.folders;
     folders.insert(folders.begin(), folder.parent_path().string());
@@ -141,29 +155,38 @@ int listAll(ModArguments const& arguments) {
 
 } // namespace
 
-void addModCommand(CLI::App& program, int& result) {
+void addModCommand(CLI::App& program, Work& work) {
     CLI::App* const command = program.add_subcommand(
         "mod", "Mods: interactions written in Lua, with parts and levels of their own");
     command->require_subcommand(1);
     auto const arguments = std::make_shared<ModArguments>();
     CLI::App* const made =
         command->add_subcommand("new", "Make the folder of a mod with an interaction that works");
-    made->add_option("NAME", arguments->name, "Its name: small letters, digits and -")->required();
-    made->add_option("--in", arguments->in, "The folder to make it in")->capture_default_str();
-    made->callback([arguments, &result] { result = guarded([&] { return newMod(*arguments); }); });
+    accepts(made->add_option("NAME", arguments->name, "Its name: small letters, digits and -")
+                ->required()
+                ->type_name(""),
+            "a name of small letters, digits and -, at most 40",
+            [](std::string const& name) { return lua::isModName(name) ? Fault() : Fault(""); });
+    accepts(made->add_option("--in", arguments->in, "The folder to make it in")
+                ->capture_default_str()
+                ->type_name("DIR"),
+            "a folder, which is made if it is missing", faultOfOutputFolder);
+    made->callback([arguments, &work] { work = [arguments] { return newMod(*arguments); }; });
     CLI::App* const check = command->add_subcommand(
         "check",
         "Load a mod, warn of probable mistakes, and verify its levels and its tests, which are levels with "
         "recorded solutions. Exit status 1 if any fails, 2 if the mod cannot be loaded");
-    check->add_option("MOD", arguments->name, "Its folder, or the name of one that is installed")->required();
-    check->add_option("--mod", arguments->folders, "A folder of mods to look in, too")
-        ->allow_extra_args(false);
-    check->callback([arguments, &result] { result = guarded([&] { return checkMod(*arguments); }); });
+    accepts(check->add_option("MOD", arguments->name, "Its folder, or the name of one that is installed")
+                ->required()
+                ->type_name(""),
+            "the folder of a mod, or the name of one that `trembler mod list` lists",
+            [arguments](std::string const& name) { return faultOfMod(*arguments, name); });
+    addModFolderOption(*check, arguments->folders, "A folder of mods to look in, too");
+    check->callback([arguments, &work] { work = [arguments] { return checkMod(*arguments); }; });
     CLI::App* const list = command->add_subcommand("list", "The mods that are installed");
-    list->add_option("--mod", arguments->folders, "A folder of mods to look in, too")
-        ->allow_extra_args(false);
-    list->callback([arguments, &result] { result = guarded([&] { return listAll(*arguments); }); });
-    addModReferenceCommands(*command, result);
+    addModFolderOption(*list, arguments->folders, "A folder of mods to look in, too");
+    list->callback([arguments, &work] { work = [arguments] { return listAll(*arguments); }; });
+    addModReferenceCommands(*command, work);
 }
 
 } // namespace trembler

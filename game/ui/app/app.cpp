@@ -10,6 +10,7 @@
 #include "game/ui/shared/texts.hpp"
 #include "puzzle/campaign/free_play.hpp"
 #include "render/draw/palette.hpp"
+#include "runtime/file/folders.hpp"
 #include "runtime/file/output_file.hpp"
 #include "runtime/level/json/diagnostic.hpp"
 
@@ -141,7 +142,7 @@ void GameApp::openFreePlay() {
         file = options_.pictures / "free-play.json";
     }
     try {
-        makeFolders(file.parent_path());
+        makeFolder(file.parent_path());
         // In every language, as the player may choose another one while it is played.
         Translations texts;
         for (Language const& language : languages()) {

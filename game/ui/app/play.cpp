@@ -7,6 +7,7 @@
 #include "game/ui/headless/screenshot.hpp"
 #include "game/ui/shared/kept/user_folders.hpp"
 #include "game/ui/shared/shown_faults.hpp"
+#include "puzzle/checks/checked_level.hpp"
 #include "runtime/level/json/diagnostic.hpp"
 #include "runtime/level/read/read_level.hpp"
 
@@ -90,7 +91,8 @@ void writePicture(GameData const& gameData, Session const& session, fs::path con
 int playWithoutDisplay(GameData const& gameData, PlayOptions const& options, std::ostream& out) {
     fs::path const file = options.level.empty() ? firstLevel(gameData) : options.level;
     WorldOptions world = options.world;
-    Session session(gameData.registry, gameData.parts, loadLevel(gameData.registry, file), world);
+    Session session(gameData.registry, gameData.parts, loadPlayable(gameData.registry, gameData.parts, file),
+                    world);
     LevelFile const& level = session.level();
     out << fmt::format("Playing \"{}\" ({})", level.title, gameData.shortName(file));
     std::uint64_t frames = usualFrames;

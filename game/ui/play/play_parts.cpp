@@ -7,8 +7,8 @@
 #include "game/ui/shared/words.hpp"
 #include "physics/dynamics/properties/crowd.hpp"
 #include "puzzle/campaign/as_played.hpp"
+#include "puzzle/checks/checked_level.hpp"
 #include "render/scene/areas.hpp"
-#include "runtime/level/read/read_level.hpp"
 
 #include <algorithm>
 #include <system_error>
@@ -35,7 +35,9 @@ PlayParts::PlayParts(UiContext& uiContext, std::filesystem::path levelFile,
       modParts(data ? std::optional<PartCatalog>(std::in_place, data->parts, context.canvas) : std::nullopt),
       session(data ? data->registry : context.registry, data ? data->parts : context.parts,
               stated != nullptr ? *stated
-                                : asPlayed(loadLevel(data ? data->registry : context.registry, file), ""),
+                                : asPlayed(loadPlayable(data ? data->registry : context.registry,
+                                                        data ? data->parts : context.parts, file),
+                                           ""),
               options),
       placing(session, context.toasts), group(session, placing, context.toasts),
       wires(session, context.toasts), hand(session, context.toasts), secondHand(session, context.toasts, 1),

@@ -160,7 +160,7 @@ void Autosave::write(LevelDocument const& document) {
 
 void Autosave::takeLock() {
     std::error_code error;
-    makeFolders(folder_);
+    makeFolder(folder_);
     // The number makes the names of several documents, and of programs before this one, differ.
     for (int number = 1; number < 10000; ++number) {
         fs::path const file = folder_ / fmt::format("{}-{}.json", ::getpid(), number);

@@ -1,5 +1,6 @@
 #include "game/ui/shared/kept/recorder.hpp"
 
+#include "runtime/file/folders.hpp"
 #include "runtime/file/output_file.hpp"
 
 #include <fmt/format.h>
@@ -7,7 +8,7 @@
 namespace trembler::ui {
 
 void Recorder::prepare() const {
-    makeFolders(folder_);
+    makeFolder(folder_);
     OutputFile const probe = OutputFile::newIn(folder_); // without a name, nothing of it stays
 }
 
