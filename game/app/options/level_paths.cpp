@@ -3,6 +3,7 @@
 #include "puzzle/campaign/chapter.hpp"
 #include "puzzle/data/game_data.hpp"
 #include "runtime/level/json/diagnostic.hpp"
+#include "runtime/level/json/limits.hpp"
 
 #include <fmt/format.h>
 
@@ -35,6 +36,10 @@ std::vector<fs::path> levelsUnder(fs::path const& path) {
         if (entry.is_regular_file() && entry.path().extension() == ".json" && !isNotALevel(entry.path()) &&
             !isNoLevel(entry.path())) {
             found.push_back(entry.path());
+        }
+        if (found.size() > limits::levelFiles) {
+            throw std::invalid_argument(fmt::format("{}: has more than {} levels; expected at most {}",
+                                                    path.string(), limits::levelFiles, limits::levelFiles));
         }
     }
     std::sort(found.begin(), found.end());

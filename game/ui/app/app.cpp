@@ -11,7 +11,6 @@
 #include "puzzle/campaign/free_play.hpp"
 #include "render/draw/palette.hpp"
 #include "runtime/file/output_file.hpp"
-#include "runtime/level/json/diagnostic.hpp"
 
 #include <exception>
 #include <optional>
@@ -67,6 +66,9 @@ GameApp::GameApp(render::Window& window, Registry const& registry, PartLibrary c
     for (std::string& trouble : context_.keys.load(context_.profile.keys())) {
         troubles.push_back(std::move(trouble));
     }
+    if (std::size_t const count = context_.levels.leftOut(); count > 0) {
+        troubles.push_back(textWith("levels.left_out", count));
+    }
     for (std::string const& trouble : troubles) {
         context_.toasts.add(trouble, render::ToastKind::Trouble, 12);
     }
@@ -118,7 +120,7 @@ void GameApp::showTitle() {
 void GameApp::tryOpen(std::filesystem::path const& level) {
     try {
         open(level);
-    } catch (InputError const& error) {
+    } catch (std::exception const& error) {
         context_.toasts.add(shownError(error), render::ToastKind::Trouble, 10);
     }
 }

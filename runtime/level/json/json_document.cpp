@@ -1,7 +1,7 @@
 #include "runtime/level/json/json_document.hpp"
 
+#include "runtime/file/cut_text.hpp"
 #include "runtime/level/json/add_problem.hpp"
-#include "runtime/level/json/limits.hpp"
 
 #include <fmt/format.h>
 
@@ -39,6 +39,13 @@ public:
     bool end_array() override { return close(); }
     bool key(string_t& name) override {
         Level& level = open_.back();
+        if (name.size() > limits::key) {
+            std::string const path = pathOfNext(); // with the key before this one
+            flaws_.push_back({path.substr(0, path.rfind('/')),
+                              fmt::format("has a key of {} bytes", name.size()),
+                              fmt::format("at most {}", limits::key), std::nullopt, Spot::value});
+            return false;
+        }
         level.key = name;
         if (level.node->contains(name)) {
             if (std::string path = pathOfNext(); flaws_.empty() || flaws_.back().path != path) {
@@ -64,6 +71,8 @@ public:
             expected = message.substr(at + std::string_view("; expected ").size());
             message.resize(at);
         }
+        constexpr std::size_t longest = 300; // the message may quote a value of many megabytes
+        message = cutText(std::move(message), longest);
         flaws_.push_back({"", message, expected, position == 0 ? 0 : position - 1, Spot::value});
         return false;
     }
@@ -146,8 +155,8 @@ private:
     throw InputError({std::move(diagnostic)});
 }
 
-[[noreturn]] void refuseSize(std::string file, std::uintmax_t size) {
-    refuse(std::move(file), fmt::format("has {} bytes", size), fmt::format("at most {}", limits::fileSize));
+[[noreturn]] void refuseSize(std::string file, std::uintmax_t size, std::size_t most) {
+    refuse(std::move(file), fmt::format("has {} bytes", size), fmt::format("at most {}", most));
 }
 
 /// Fills the text from a file, or shortens it if the file is shorter. Returns 0, or the errno of the failure.
@@ -169,7 +178,7 @@ int readInto(std::filesystem::path const& path, std::string& text) {
 JsonDocument::JsonDocument(std::string text, std::string file)
     : text_(std::move(text)), file_(std::move(file)) {
     if (text_.size() > limits::fileSize) {
-        refuseSize(file_, text_.size());
+        refuseSize(file_, text_.size(), limits::fileSize);
     }
     TreeBuilder builder;
     bool const whole = nlohmann::json::sax_parse(text_, &builder);
@@ -197,7 +206,7 @@ std::shared_ptr<JsonDocument const> JsonDocument::parse(std::string text, std::s
     return std::shared_ptr<JsonDocument const>(new JsonDocument(std::move(text), std::move(file)));
 }
 
-std::string JsonDocument::readText(std::filesystem::path const& path) {
+std::string JsonDocument::readText(std::filesystem::path const& path, std::size_t most) {
     std::error_code error;
     if (std::filesystem::is_directory(path, error)) {
         refuse(path.string(), "is a folder", "a file");
@@ -206,8 +215,8 @@ std::string JsonDocument::readText(std::filesystem::path const& path) {
     if (error) {
         refuse(path.string(), fmt::format("cannot be read: {}", error.message()), "");
     }
-    if (size > limits::fileSize) {
-        refuseSize(path.string(), size);
+    if (size > most) {
+        refuseSize(path.string(), size, most);
     }
     std::string text(static_cast<std::size_t>(size), '\0');
     if (int const wrong = readInto(path, text); wrong != 0) {

@@ -1,9 +1,12 @@
 #include "game/ui/shared/kept/saved_solutions.hpp"
 
 #include "game/ui/shared/catalog/level_catalog.hpp"
+#include "runtime/file/cut_text.hpp"
+#include "runtime/file/folder_files.hpp"
 #include "runtime/file/output_file.hpp"
 #include "runtime/file/visible_text.hpp"
 #include "runtime/level/json/diagnostic.hpp"
+#include "runtime/level/json/limits.hpp"
 #include "runtime/level/write/write_level.hpp"
 
 #include <fmt/format.h>
@@ -36,13 +39,9 @@ fs::path SavedSolutions::folderOf(std::string const& levelId) const {
 
 std::vector<SavedSolution> SavedSolutions::of(std::string const& levelId) const {
     std::vector<SavedSolution> all;
-    std::error_code ignored;
-    for (fs::directory_iterator at(folderOf(levelId), ignored), end; at != end; at.increment(ignored)) {
-        if (at->path().extension() != ".json") {
-            continue;
-        }
-        if (std::string name = nameInFile(at->path()); !name.empty()) {
-            all.push_back({at->path(), std::move(name)});
+    for (fs::path const& file : filesIn(folderOf(levelId), ".json", mostSavedSolutions).files) {
+        if (std::string name = nameInFile(file); !name.empty()) {
+            all.push_back({file, cutText(std::move(name), limits::name)});
         }
     }
     std::sort(all.begin(), all.end(), [](SavedSolution const& a, SavedSolution const& b) {
