@@ -1,6 +1,5 @@
 #include "render/panels/long_text.hpp"
 
-#include <imgui.h>
 #include <imgui_internal.h>
 
 #include <algorithm>
@@ -93,6 +92,25 @@ struct LongText {
 
 } // namespace
 
+void addLongText(ImDrawList& list, ImFont const& font, float size, ImVec2 const& at, ImU32 colour,
+                 char const* begin, char const* end, float wrapWidth, ImVec4 const* fineClip) {
+    LongText text{list, font, size, colour, list._CmdHeader.ClipRect, fineClip};
+    if (fineClip != nullptr) {
+        text.clip = {std::max(text.clip.x, fineClip->x), std::max(text.clip.y, fineClip->y),
+                     std::min(text.clip.z, fineClip->z), std::min(text.clip.w, fineClip->w)};
+    }
+    float const scale = size / font.FontSize;
+    ImVec2 place{std::floor(at.x), std::floor(at.y)}; // as ImGui aligns letters to pixels
+    while (begin < end && place.y <= text.clip.w) {
+        Line const line = lineFrom(font, scale, begin, end, wrapWidth);
+        if (place.y + size >= text.clip.y) {
+            text.drawLine(place, begin, line.end);
+        }
+        begin = line.next;
+        place.y += size;
+    }
+}
+
 void addText(ImDrawList* list, ImFont const* font, float size, ImVec2 const& at, ImU32 colour,
              char const* begin, char const* end, float wrapWidth, ImVec4 const* fineClip) {
     if (begin != nullptr && end == nullptr) {
@@ -102,23 +120,8 @@ void addText(ImDrawList* list, ImFont const* font, float size, ImVec2 const& at,
         addTextOfImGui(list, font, size, at, colour, begin, end, wrapWidth, fineClip);
         return;
     }
-    font = font == nullptr ? list->_Data->Font : font;
-    size = size == 0 ? list->_Data->FontSize : size;
-    LongText text{*list, *font, size, colour, list->_CmdHeader.ClipRect, fineClip};
-    if (fineClip != nullptr) {
-        text.clip = {std::max(text.clip.x, fineClip->x), std::max(text.clip.y, fineClip->y),
-                     std::min(text.clip.z, fineClip->z), std::min(text.clip.w, fineClip->w)};
-    }
-    float const scale = size / font->FontSize;
-    ImVec2 place{std::floor(at.x), std::floor(at.y)}; // as ImGui aligns letters to pixels
-    while (begin < end && place.y <= text.clip.w) {
-        Line const line = lineFrom(*font, scale, begin, end, wrapWidth);
-        if (place.y + size >= text.clip.y) {
-            text.drawLine(place, begin, line.end);
-        }
-        begin = line.next;
-        place.y += size;
-    }
+    addLongText(*list, font == nullptr ? *list->_Data->Font : *font, size == 0 ? list->_Data->FontSize : size,
+                at, colour, begin, end, wrapWidth, fineClip);
 }
 
 void addPlainText(ImDrawList* list, ImVec2 const& at, ImU32 colour, char const* begin, char const* end) {
