@@ -4,7 +4,7 @@
 #include "lua/interaction/lua_tree.hpp"
 #include "lua/interaction/manifest_reader.hpp"
 #include "lua/sandbox/limits.hpp"
-#include "runtime/level/json/json_document.hpp"
+#include "runtime/level/json/read_text.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -87,7 +87,7 @@ Manifest readManifest(std::string source, std::string file, Problems& problems) 
 
 Manifest loadManifest(std::filesystem::path const& path, Problems& problems) {
     try {
-        return readManifest(JsonDocument::readText(path, longestSource), path.string(), problems);
+        return readManifest(readText(path, longestSource), path.string(), problems);
     } catch (InputError const& error) {
         for (Diagnostic const& problem : error.diagnostics()) {
             problems.add(problem);

@@ -7,7 +7,7 @@
 #include "puzzle/data/own_part_files.hpp"
 #include "runtime/file/folder_files.hpp"
 #include "runtime/level/build/check_composites.hpp"
-#include "runtime/level/json/limits.hpp"
+#include "runtime/level/read/folder_limits.hpp"
 #include "runtime/level/read/read_part.hpp"
 
 #include <cstdlib>

@@ -10,7 +10,7 @@ namespace trembler {
 
 World::World(Registry const& registry, WorldOptions options)
     : registry_(registry), options_(std::move(options)), executor_(options_.threads),
-      tracer_(options_.trace ? std::make_unique<Tracer>(options_.traceBytes) : nullptr) {
+      tracer_(options_.trace ? std::make_unique<Tracer>() : nullptr) {
     registry_.check();
     std::vector<Store::Completion> completions;
     for (CompletionInfo const* completion : completionOrder(registry_.completions())) {

@@ -4,7 +4,6 @@
 #include "runtime/component/channels.hpp"
 #include "runtime/component/component.hpp"
 #include "runtime/input/player_input.hpp"
-#include "runtime/trace/tracer.hpp"
 #include "runtime/world/registry.hpp"
 #include "runtime/world/selection.hpp"
 #include "runtime/world/store.hpp"
@@ -28,8 +27,6 @@ struct WorldOptions {
         detail;                         ///< effect -> detail level; for other effects the scene decides
     std::map<std::string, int> periods; ///< component title -> every nth frame
     bool trace = false;                 ///< gather events
-    std::size_t traceBytes =
-        Tracer::usualBytes; ///< of memory; a step that needs more throws std::length_error
     /// Below this many rows in a phase, waking other threads costs more than they can save (measured: a loop
     /// of 1000 cheap items is fourteen times slower on two threads than on one). 0 forces threads, for tests.
     std::size_t rowsWorthThreads = 4096;

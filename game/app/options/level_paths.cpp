@@ -3,7 +3,7 @@
 #include "puzzle/campaign/chapter.hpp"
 #include "puzzle/data/game_data.hpp"
 #include "runtime/level/json/diagnostic.hpp"
-#include "runtime/level/json/limits.hpp"
+#include "runtime/level/read/folder_limits.hpp"
 
 #include <fmt/format.h>
 

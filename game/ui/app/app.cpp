@@ -66,9 +66,6 @@ GameApp::GameApp(render::Window& window, Registry const& registry, PartLibrary c
     for (std::string& trouble : context_.keys.load(context_.profile.keys())) {
         troubles.push_back(std::move(trouble));
     }
-    if (std::size_t const count = context_.levels.leftOut(); count > 0) {
-        troubles.push_back(textWith("levels.left_out", count));
-    }
     for (std::string const& trouble : troubles) {
         context_.toasts.add(trouble, render::ToastKind::Trouble, 12);
     }

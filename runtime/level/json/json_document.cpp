@@ -2,12 +2,13 @@
 
 #include "runtime/file/cut_text.hpp"
 #include "runtime/level/json/add_problem.hpp"
+#include "runtime/level/json/limits.hpp"
+#include "runtime/level/json/read_text.hpp"
+#include "runtime/level/json/text_limits.hpp"
 
 #include <fmt/format.h>
 
-#include <cerrno>
-#include <cstdio>
-#include <system_error>
+#include <utility>
 
 namespace trembler {
 namespace {
@@ -155,30 +156,12 @@ private:
     throw InputError({std::move(diagnostic)});
 }
 
-[[noreturn]] void refuseSize(std::string file, std::uintmax_t size, std::size_t most) {
-    refuse(std::move(file), fmt::format("has {} bytes", size), fmt::format("at most {}", most));
-}
-
-/// Fills the text from a file, or shortens it if the file is shorter. Returns 0, or the errno of the failure.
-int readInto(std::filesystem::path const& path, std::string& text) {
-    struct Close {
-        void operator()(std::FILE* file) const { std::fclose(file); }
-    };
-    errno = 0;
-    std::unique_ptr<std::FILE, Close> const file(std::fopen(path.c_str(), "rbe"));
-    if (!file) {
-        return errno;
-    }
-    text.resize(std::fread(text.data(), 1, text.size(), file.get()));
-    return std::ferror(file.get()) == 0 ? 0 : errno;
-}
-
 } // namespace
 
 JsonDocument::JsonDocument(std::string text, std::string file)
     : text_(std::move(text)), file_(std::move(file)) {
     if (text_.size() > limits::fileSize) {
-        refuseSize(file_, text_.size(), limits::fileSize);
+        refuse(file_, fmt::format("has {} bytes", text_.size()), fmt::format("at most {}", limits::fileSize));
     }
     TreeBuilder builder;
     bool const whole = nlohmann::json::sax_parse(text_, &builder);
@@ -206,23 +189,8 @@ std::shared_ptr<JsonDocument const> JsonDocument::parse(std::string text, std::s
     return std::shared_ptr<JsonDocument const>(new JsonDocument(std::move(text), std::move(file)));
 }
 
-std::string JsonDocument::readText(std::filesystem::path const& path, std::size_t most) {
-    std::error_code error;
-    if (std::filesystem::is_directory(path, error)) {
-        refuse(path.string(), "is a folder", "a file");
-    }
-    std::uintmax_t const size = std::filesystem::file_size(path, error);
-    if (error) {
-        refuse(path.string(), fmt::format("cannot be read: {}", error.message()), "");
-    }
-    if (size > most) {
-        refuseSize(path.string(), size, most);
-    }
-    std::string text(static_cast<std::size_t>(size), '\0');
-    if (int const wrong = readInto(path, text); wrong != 0) {
-        refuse(path.string(), fmt::format("cannot be read: {}", std::generic_category().message(wrong)), "");
-    }
-    return text;
+std::string JsonDocument::readText(std::filesystem::path const& path) {
+    return trembler::readText(path, limits::fileSize);
 }
 
 std::shared_ptr<JsonDocument const> JsonDocument::load(std::filesystem::path const& path) {

@@ -3,7 +3,6 @@
 
 #include "runtime/level/json/diagnostic.hpp"
 #include "runtime/level/json/json_locator.hpp"
-#include "runtime/level/json/limits.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -18,10 +17,8 @@ public:
     /// not JSON (RFC 8259), for repeated keys in an object, for numbers too large for a double, for too deep
     /// nesting and for too long text.
     [[nodiscard]] static std::shared_ptr<JsonDocument const> parse(std::string text, std::string file);
-    /// The text of a file. Throws InputError if it cannot be read, is a folder, a device or a pipe, or has
-    /// more than `most` bytes.
-    [[nodiscard]] static std::string readText(std::filesystem::path const& path,
-                                              std::size_t most = limits::fileSize);
+    /// The text of a file. Throws InputError if it cannot be read, is a folder or is too large.
+    [[nodiscard]] static std::string readText(std::filesystem::path const& path);
     /// Reads and parses a file. Throws InputError, also if the file cannot be read.
     [[nodiscard]] static std::shared_ptr<JsonDocument const> load(std::filesystem::path const& path);
 

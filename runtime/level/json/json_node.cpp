@@ -1,8 +1,8 @@
 #include "runtime/level/json/json_node.hpp"
 
 #include "runtime/level/json/add_problem.hpp"
-#include "runtime/level/json/limits.hpp"
 #include "runtime/level/json/suggestion.hpp"
+#include "runtime/level/json/text_limits.hpp"
 
 #include <fmt/format.h>
 

@@ -14,12 +14,6 @@ inline constexpr std::size_t depth = 64;
 /// Values of any kind in one file: the memory for a file depends more on their number than on its size.
 inline constexpr std::size_t values = 4'000'000;
 
-/// Files of parts in one folder, and their bytes together.
-inline constexpr std::size_t partFiles = 5000;
-inline constexpr std::size_t partBytes = fileSize;
-/// Levels in one folder, its subfolders included; those of a pack.
-inline constexpr std::size_t levelFiles = 10'000;
-
 inline constexpr std::size_t objects = 200'000;
 /// Objects and joints of a world, those of composite parts included.
 inline constexpr std::size_t made = 1'000'000;
@@ -29,10 +23,6 @@ inline constexpr std::size_t pieces = 1000;
 inline constexpr std::size_t partDepth = 8;
 /// Bytes of a name.
 inline constexpr std::size_t name = 100;
-/// Bytes of a key of an object.
-inline constexpr std::size_t key = 1000;
-/// Bytes of any other text: what people read, a value of a property.
-inline constexpr std::size_t text = 100'000;
 /// Of a list inside a property, unless its description states less.
 inline constexpr std::size_t listInProperty = 10'000;
 inline constexpr std::size_t joints = 200'000;

@@ -1,6 +1,6 @@
 #include "runtime/level/json/schema_pieces.hpp"
 
-#include "runtime/level/json/limits.hpp"
+#include "runtime/level/json/text_limits.hpp"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 // Reads part definitions.
 #pragma once
 
-#include "runtime/level/json/limits.hpp"
 #include "runtime/level/model/part_library.hpp"
+#include "runtime/level/read/folder_limits.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,11 +1,13 @@
 #include "game/ui/shared/catalog/level_catalog.hpp"
 
 #include "game/ui/shared/shown_faults.hpp"
+#include "game/ui/shared/texts.hpp"
 #include "game/ui/shared/words.hpp"
 #include "puzzle/campaign/chapter.hpp"
 #include "runtime/file/cut_text.hpp"
 #include "runtime/file/folder_files.hpp"
 #include "runtime/level/json/diagnostic.hpp"
+#include "runtime/level/read/folder_limits.hpp"
 #include "runtime/level/read/read_level.hpp"
 
 #include <algorithm>
@@ -33,7 +35,7 @@ public:
             return registry_;
         }
         constexpr std::size_t most = 50;
-        if (known_.size() > most) { // the levels of a pack may name as many different sets of mods as it has
+        if (known_.size() >= most) { // the levels of a pack may name as many different sets of mods
             known_.clear();
         }
         auto& data = known_[{file.parent_path(), std::move(names)}];
@@ -72,8 +74,8 @@ CatalogEntry entryFor(DataOfLevels& data, fs::path const& file, std::string id) 
     return entry;
 }
 
-std::vector<fs::path> jsonBelow(fs::path const& folder, std::size_t most, std::size_t& leftOut) {
-    FirstPaths files(most);
+FolderFiles jsonBelow(fs::path const& folder) {
+    FirstPaths files(limits::levelFiles);
     std::error_code failed;
     fs::recursive_directory_iterator walk(folder, fs::directory_options::skip_permission_denied, failed);
     for (; !failed && walk != fs::recursive_directory_iterator(); walk.increment(failed)) {
@@ -87,8 +89,15 @@ std::vector<fs::path> jsonBelow(fs::path const& folder, std::size_t most, std::s
             files.add(path);
         }
     }
-    leftOut += files.leftOut();
-    return files.sorted();
+    return {.files = files.sorted(), .leftOut = files.leftOut(), .error = {}};
+}
+
+/// Says below a group that further levels are not listed.
+void tellOf(std::size_t leftOut, CatalogGroup& group) {
+    if (leftOut > 0) {
+        group.text = textWith("levels.left_out", leftOut);
+        group.texts.clear();
+    }
 }
 
 /// A folder of levels, while the catalog is made.
@@ -150,7 +159,8 @@ bool naturallyBefore(std::string_view a, std::string_view b) {
 LevelCatalog::LevelCatalog(Registry const& registry, fs::path const& folder, CatalogMods const& mods) {
     DataOfLevels data(registry, mods);
     std::map<std::string, std::vector<fs::path>> byFolder;
-    for (fs::path const& file : jsonBelow(folder, mods.mostLevels, leftOut_)) {
+    FolderFiles const all = jsonBelow(folder);
+    for (fs::path const& file : all.files) {
         byFolder[file.parent_path().lexically_relative(folder).generic_string()].push_back(file);
     }
     std::vector<Folder> folders;
@@ -172,10 +182,15 @@ LevelCatalog::LevelCatalog(Registry const& registry, fs::path const& folder, Cat
         group.texts = one.chapter.texts;
         groups_.push_back(std::move(group));
     }
+    if (!groups_.empty()) {
+        tellOf(all.leftOut, groups_.front());
+    }
     for (fs::path const& mod : mods.mods) {
         std::string const name = mod.filename().string();
         CatalogGroup group{words::levelsOfMod(titleFromName(name)), {}, false, {}};
-        std::vector<fs::path> files = jsonBelow(mod / "levels", mods.mostLevels, leftOut_);
+        FolderFiles found = jsonBelow(mod / "levels");
+        std::vector<fs::path>& files = found.files;
+        tellOf(found.leftOut, group);
         std::sort(files.begin(), files.end(), [](fs::path const& a, fs::path const& b) {
             return naturallyBefore(a.string(), b.string());
         });

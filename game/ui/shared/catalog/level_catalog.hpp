@@ -3,7 +3,6 @@
 
 #include "puzzle/campaign/progress.hpp"
 #include "puzzle/data/game_data.hpp"
-#include "runtime/level/json/limits.hpp"
 #include "runtime/world/registry.hpp"
 
 #include <filesystem>
@@ -48,8 +47,7 @@ struct CatalogMods {
     /// The data for reading a level, nullptr if it names no mods; throws InputError. Empty: a level that
     /// names mods cannot be played.
     std::function<std::shared_ptr<GameData const>(std::filesystem::path const&)> data{};
-    std::vector<std::filesystem::path> mods{};   ///< each the folder of a mod: its levels are listed, too
-    std::size_t mostLevels = limits::levelFiles; ///< below a folder: the first by path
+    std::vector<std::filesystem::path> mods{}; ///< each the folder of a mod: its levels are listed, too
 };
 
 /// Reads all levels once, in the constructor. A faulty level never throws: it is listed with its trouble.
@@ -63,8 +61,6 @@ public:
 
     [[nodiscard]] std::vector<CatalogGroup> const& groups() const { return groups_; }
     [[nodiscard]] std::size_t size() const;
-    /// How many levels are not listed because there are too many.
-    [[nodiscard]] std::size_t leftOut() const { return leftOut_; }
     /// The entry of a file, or nullptr if it is not in the catalog.
     [[nodiscard]] CatalogEntry const* find(std::filesystem::path const& file) const;
     /// The next playable level after the file, in its group or a later one, or nullptr. After a puzzle
@@ -85,7 +81,6 @@ private:
 
     std::vector<CatalogGroup> groups_;
     std::size_t ofMods_ = 0; // groups at the end that are those of mods
-    std::size_t leftOut_ = 0;
 };
 
 /// Whether `a` comes before `b` if digits are compared as numbers ("2-x" before "10-x").

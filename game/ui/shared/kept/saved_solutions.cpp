@@ -19,6 +19,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::size_t mostShown = 1000; // solutions of one level
+
 /// The name in a solution's file; empty if it is none.
 std::string nameInFile(fs::path const& file) {
     try {
@@ -39,7 +41,7 @@ fs::path SavedSolutions::folderOf(std::string const& levelId) const {
 
 std::vector<SavedSolution> SavedSolutions::of(std::string const& levelId) const {
     std::vector<SavedSolution> all;
-    for (fs::path const& file : filesIn(folderOf(levelId), ".json", mostSavedSolutions).files) {
+    for (fs::path const& file : filesIn(folderOf(levelId), ".json", mostShown).files) {
         if (std::string name = nameInFile(file); !name.empty()) {
             all.push_back({file, cutText(std::move(name), limits::name)});
         }

@@ -4,15 +4,11 @@
 #include "puzzle/campaign/kept_builds.hpp"
 #include "runtime/level/model/level.hpp"
 
-#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <vector>
 
 namespace trembler::ui {
-
-/// Of one level; further files are left out.
-inline constexpr std::size_t mostSavedSolutions = 1000;
 
 /// A file that `trembler run LEVEL --solution FILE` plays, too.
 struct SavedSolution {

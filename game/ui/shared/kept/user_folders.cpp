@@ -1,6 +1,7 @@
 #include "game/ui/shared/kept/user_folders.hpp"
 
-#include "runtime/level/json/json_document.hpp"
+#include "runtime/level/json/diagnostic.hpp"
+#include "runtime/level/json/read_text.hpp"
 
 #include <cstdlib>
 #include <string>
@@ -21,7 +22,7 @@ fs::path statedFolder(std::string_view name, fs::path const& home) {
     config = config.is_absolute() ? config : home / ".config";
     constexpr std::size_t most = std::size_t{1} << 20U; // bytes; such files have about a thousand
     try {
-        return userFolderIn(JsonDocument::readText(config / "user-dirs.dirs", most), name, home);
+        return userFolderIn(readText(config / "user-dirs.dirs", most), name, home);
     } catch (InputError const&) {
         return {};
     }
