@@ -61,7 +61,7 @@ std::string someText(std::mt19937_64& random, std::size_t bytes) {
 TEST_F(LongText, IsDrawnWhereImGuiDrawsTheWhole) {
     std::mt19937_64 random(36);
     std::size_t letters = 0;
-    for (int round = 0; round < 60; ++round) {
+    for (int round = 0; round < 150; ++round) {
         std::string const text = someText(random, 200 + random() % 9000);
         float const wrap = round % 3 == 0 ? 0.F : 40.F + static_cast<float>(random() % 600);
         ImVec2 const at{100.F - static_cast<float>(random() % 400),
@@ -99,7 +99,7 @@ TEST_F(LongText, IsDrawnWhereImGuiDrawsTheWhole) {
             }
         });
     }
-    EXPECT_GT(letters, 10'000U);
+    EXPECT_GT(letters, 5000U);
 }
 
 TEST_F(LongText, EndsNoProgramInAnyWidget) {

@@ -113,6 +113,7 @@ protected:
         }
         fs::remove_all(folder);
         useLanguage("en");
+        window().setUiScaleRequest(1.F);
     }
     /// Frames with everything that ImGui checks when a picture is complete.
     static void look(Player& player, int frames = 3) {
