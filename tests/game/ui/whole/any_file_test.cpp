@@ -150,7 +150,7 @@ protected:
     }
     template <class Try>
     void each(Try const& attempt, unsigned usual = usualFiles) {
-        for (unsigned seed = 0; seed < attempts(usual); ++seed) {
+        for (unsigned seed = 0; seed < trembler::test::attempts(usual); ++seed) {
             SCOPED_TRACE("seed " + std::to_string(seed));
             AnyText any(seed);
             fs::path const own = folder / std::to_string(seed);
