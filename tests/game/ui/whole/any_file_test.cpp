@@ -86,9 +86,9 @@ Json levelOf(AnyText& any) {
         {"toolbox", {{{"part", "steel bar"}, {"count", 2}}, {{"wire", 2}}}},
         {"goals",
          {{"all",
-           {{{"inside", {{"object", ball}, {"box", {-1, 0, 2, 1}}, {"called", area}}}, {"text", any.text()}},
+           {{{"inside", {{"object", ball}, {"area", {-1, 0, 2, 1}}, {"called", area}}}, {"text", any.text()}},
             {{"on", lamp}, {"for", 1}},
-            {{"object", ball}, {"by", 0.5}}}}}},
+            {{"moved", {{"object", ball}, {"by", 0.5}}}}}}}},
         {"texts",
          {{"de", {{"title", any.name()}, {"text", any.text()}, {"hints", {any.text(), any.text()}}}}}}};
     return level;
@@ -353,7 +353,7 @@ TEST_F(AnyFile, AThousandHintsOfALevelAreShownAtOnce) {
     level["hints"] = Json::array();
     std::size_t bytes = 0;
     for (int i = 0; i < 1000; ++i) {
-        level["hints"].push_back(any.text(i % 50 == 0 ? 20'000 : 300));
+        level["hints"].push_back(any.text(i % 20 == 0 ? 60'000 : 300));
         bytes += level["hints"].back().get_ref<std::string const&>().size();
     }
     ASSERT_GT(bytes, 100'000U);
