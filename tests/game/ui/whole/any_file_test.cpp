@@ -62,7 +62,7 @@ Json levelOf(AnyText& any) {
     std::string const ball = any.name();
     std::string const floor = any.name();
     std::string const lamp = any.name();
-    std::string const area = any.text(3000);
+    std::string const area = any.name();
     Json texts;
     for (int i = static_cast<int>(any.below(6)); i >= 0; --i) {
         texts.push_back(any.text());
