@@ -63,24 +63,28 @@ int takeScreenshot(ScreenshotArguments const&) {
 #else
 
 int play(PlayArguments const& arguments) {
-    // A level whose mods are missing is refused before a window opens.
-    auto const data = gameDataFor(arguments.level, arguments.mods);
-    // The window may show other levels, too, which have none of these mods.
-    std::optional<GameData> plain;
-    GameData const& gameData = data->mods.empty() ? *data : plain.emplace();
+    if (arguments.pictures) {
+        checkFolderName("--pictures", *arguments.pictures);
+    }
+    // Those of the level's mods are loaded when it is opened, so that the window can say what is wrong with
+    // them.
+    GameData const gameData;
+    std::shared_ptr<GameData const> last; // whose scripts' messages no window has shown
     ui::PlayOptions options;
     options.level = arguments.level;
-    options.ofLevel = data.get();
-    options.levelData = [&arguments](std::filesystem::path const& level) {
-        return lua::modsNamedBy(level).empty()
+    options.levelData = [&arguments, &last](std::filesystem::path const& level) {
+        last = lua::modsNamedBy(level).empty()
                    ? nullptr
                    : std::shared_ptr<GameData const>(gameDataFor(level, arguments.mods));
+        return last;
     };
     options.mods = lua::listMods(lua::modFolders(arguments.mods, {}, gameData.home));
     options.pictures = arguments.pictures.value_or("");
     options.fullscreen = arguments.fullscreen;
     int const result = ui::play(gameData, options);
-    reportScriptMessages(*data);
+    if (last != nullptr) {
+        reportScriptMessages(*last);
+    }
     return result;
 }
 

@@ -3,14 +3,14 @@
 
 #include "lua/interaction/lua_tree.hpp"
 #include "lua/interaction/manifest_reader.hpp"
+#include "lua/sandbox/limits.hpp"
+#include "runtime/level/json/read_text.hpp"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cctype>
 #include <cstdlib>
-#include <fstream>
-#include <iterator>
 #include <lua.hpp>
 
 namespace trembler::lua {
@@ -86,14 +86,14 @@ Manifest readManifest(std::string source, std::string file, Problems& problems) 
 }
 
 Manifest loadManifest(std::filesystem::path const& path, Problems& problems) {
-    std::ifstream file(path, std::ios::binary);
-    std::string text(std::istreambuf_iterator<char>(file), {});
-    if (!file && !file.eof()) {
-        problems.add(
-            {.file = path.string(), .path = "", .message = "cannot be read", .expected = "a script"});
+    try {
+        return readManifest(readText(path, longestSource), path.string(), problems);
+    } catch (InputError const& error) {
+        for (Diagnostic const& problem : error.diagnostics()) {
+            problems.add(problem);
+        }
         return {};
     }
-    return readManifest(std::move(text), path.string(), problems);
 }
 
 } // namespace trembler::lua

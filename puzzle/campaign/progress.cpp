@@ -42,8 +42,10 @@ bool CampaignProgress::markSolved(std::string const& levelId) {
 }
 
 bool CampaignProgress::addKind(std::string const& levelId, SolutionKind kind) {
+    constexpr std::size_t most = 1000; // each is compared with all others
     std::vector<SolutionKind>& kinds = levels_[levelId].kinds;
-    bool const other = std::all_of(kinds.begin(), kinds.end(),
+    bool const other = kinds.size() < most &&
+                       std::all_of(kinds.begin(), kinds.end(),
                                    [&](SolutionKind const& known) { return differInKind(known, kind); });
     if (other) {
         kinds.push_back(std::move(kind));

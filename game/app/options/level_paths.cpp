@@ -3,6 +3,7 @@
 #include "puzzle/campaign/chapter.hpp"
 #include "puzzle/data/game_data.hpp"
 #include "runtime/level/json/diagnostic.hpp"
+#include "runtime/level/read/folder_limits.hpp"
 
 #include <fmt/format.h>
 
@@ -46,6 +47,10 @@ std::vector<fs::path> levelsUnder(fs::path const& path) {
         if (at->is_regular_file(unknown) && at->path().extension() == ".json" && !isNotALevel(at->path()) &&
             !isNoLevel(at->path())) {
             found.push_back(at->path());
+        }
+        if (found.size() > limits::levelFiles) {
+            throw std::invalid_argument(fmt::format("{}: has more than {} levels; expected at most {}",
+                                                    path.string(), limits::levelFiles, limits::levelFiles));
         }
     }
     if (error) { // a folder in it that may not be looked into could hold levels

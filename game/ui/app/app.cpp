@@ -12,7 +12,6 @@
 #include "render/draw/palette.hpp"
 #include "runtime/file/folders.hpp"
 #include "runtime/file/output_file.hpp"
-#include "runtime/level/json/diagnostic.hpp"
 
 #include <exception>
 #include <optional>
@@ -130,7 +129,7 @@ void GameApp::showTitle() {
 void GameApp::tryOpen(std::filesystem::path const& level) {
     try {
         open(level);
-    } catch (InputError const& error) {
+    } catch (std::exception const& error) {
         context_.toasts.add(shownError(error), render::ToastKind::Trouble, 10);
     }
 }

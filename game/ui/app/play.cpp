@@ -14,6 +14,7 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <exception>
 #include <iostream>
 
 namespace trembler::ui {
@@ -149,7 +150,7 @@ int playInWindow(GameData const& gameData, PlayOptions const& options) {
     } else if (!options.level.empty()) {
         try {
             app.open(options.level);
-        } catch (InputError const& error) { // reported where a player without a terminal sees it, too
+        } catch (std::exception const& error) { // reported where a player without a terminal sees it, too
             std::cerr << error.what() << std::endl;
             app.context().toasts.add(shownError(error), render::ToastKind::Trouble, 60);
         }
@@ -173,7 +174,9 @@ int play(GameData const& gameData, PlayOptions const& options) {
         }
         std::cout << error.what() << "\n\n";
     }
-    return playWithoutDisplay(options.ofLevel == nullptr ? gameData : *options.ofLevel, options, std::cout);
+    auto const ofLevel =
+        options.levelData && !options.level.empty() ? options.levelData(options.level) : nullptr;
+    return playWithoutDisplay(ofLevel == nullptr ? gameData : *ofLevel, options, std::cout);
 }
 
 } // namespace trembler::ui

@@ -125,7 +125,7 @@ void EditParts::openFile(std::filesystem::path const& path) {
     try {
         auto const own = dataFor(path);
         use(edit::LevelDocument::open(*own, path), own);
-    } catch (InputError const& error) {
+    } catch (std::exception const& error) {
         tell(shownError(error), render::ToastKind::Trouble);
     }
 }

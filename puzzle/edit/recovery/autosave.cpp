@@ -2,6 +2,8 @@
 
 #include "puzzle/edit/tree/tree_access.hpp"
 #include "runtime/file/file_calls.hpp"
+#include "runtime/file/folder_files.hpp"
+#include "runtime/file/output_file.hpp"
 
 #include <fmt/format.h>
 
@@ -19,6 +21,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int recoveryVersion = 1;
+constexpr std::size_t mostRecoveries = 1000;                        // files that are looked at
+constexpr std::size_t mostRecoveredBytes = std::size_t{256} << 20U; // of all texts together
 
 fs::path lockFileOf(fs::path const& file) {
     fs::path lock = file;
@@ -201,17 +205,12 @@ void Autosave::abandon() {
 
 std::vector<Recovery> findRecoveries(fs::path const& folder, std::vector<DamagedFile>* damaged) {
     std::vector<std::pair<fs::file_time_type, Recovery>> found;
-    std::error_code error;
     if (folder.empty()) {
         return {};
     }
-    std::vector<fs::path> files; // before any of them is moved
-    for (auto at = fs::directory_iterator(folder, error); !error && at != fs::directory_iterator();
-         at.increment(error)) {
-        files.push_back(at->path());
-    }
-    for (fs::path const& file : files) {
-        if (file.extension() != ".json" || isHeld(file)) {
+    std::size_t bytes = 0;
+    for (fs::path const& file : filesIn(folder, ".json", mostRecoveries).files) { // before any of them is moved
+        if (isHeld(file)) {
             continue;
         }
         auto recovery = readRecovery(file, damaged);
@@ -221,6 +220,10 @@ std::vector<Recovery> findRecoveries(fs::path const& folder, std::vector<Damaged
         if (textInFile(recovery->level) == recovery->text) {
             discard(*recovery);
             continue;
+        }
+        bytes += recovery->text.size() + recovery->onDisk.value_or("").size();
+        if (bytes > mostRecoveredBytes) {
+            break; // it stays in its file, and is found when others are gone
         }
         std::error_code ignored;
         found.emplace_back(fs::last_write_time(file, ignored), std::move(*recovery));

@@ -139,7 +139,7 @@ Json editorSchema() {
 } // namespace
 
 Json levelSchema(Registry const& registry, Json const& goals) {
-    Json const text{{"type", "string"}};
+    Json const text = json_schema::text();
     Json const count{{"type", "integer"}, {"minimum", 1}, {"maximum", limits::toolboxCount}};
     Json definitions = commonDefinitions();
     definitions["properties"] = propertiesSchema(registry, PropertyPlace::properties);
@@ -230,7 +230,7 @@ Json levelSchema(Registry const& registry, Json const& goals) {
 }
 
 Json partSchema(Registry const& registry) {
-    Json const text{{"type", "string"}};
+    Json const text = json_schema::text();
     Json definitions = commonDefinitions();
     definitions["properties"] = propertiesSchema(registry, PropertyPlace::properties);
     Json members{{"$schema", text},

@@ -1,10 +1,14 @@
 #include "game/ui/shared/kept/saved_solutions.hpp"
 
 #include "game/ui/shared/catalog/level_catalog.hpp"
+#include "runtime/file/cut_text.hpp"
+#include "runtime/file/folder_files.hpp"
 #include "runtime/file/kept_file.hpp"
+#include "runtime/file/output_file.hpp"
 #include "runtime/file/visible_text.hpp"
 #include "runtime/level/json/diagnostic.hpp"
 #include "runtime/level/json/json_document.hpp"
+#include "runtime/level/json/limits.hpp"
 #include "runtime/level/write/write_level.hpp"
 
 #include <fmt/format.h>
@@ -17,6 +21,8 @@ namespace trembler::ui {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr std::size_t mostShown = 1000; // solutions of one level
 
 /// The name in a solution's text; empty if it is none.
 std::string nameIn(std::string const& text) {
@@ -43,14 +49,7 @@ fs::path SavedSolutions::folderOf(std::string const& levelId) const {
 
 std::vector<SavedSolution> SavedSolutions::of(std::string const& levelId) const {
     std::vector<SavedSolution> all;
-    std::error_code ignored;
-    std::vector<fs::path> files;
-    for (fs::directory_iterator at(folderOf(levelId), ignored), end; at != end; at.increment(ignored)) {
-        if (at->path().extension() == ".json") {
-            files.push_back(at->path());
-        }
-    }
-    for (fs::path const& file : files) {
+    for (fs::path const& file : filesIn(folderOf(levelId), ".json", mostShown).files) {
         try {
             KeptText found = KeptFile(file).read();
             if (found.damaged) {
@@ -58,7 +57,7 @@ std::vector<SavedSolution> SavedSolutions::of(std::string const& levelId) const 
             }
             std::string name = found.text ? nameIn(*found.text) : std::string();
             if (!name.empty()) {
-                all.push_back({file, std::move(name)});
+                all.push_back({file, cutText(std::move(name), limits::name)});
             }
         } catch (InputError const&) { // it cannot be read now
         }
