@@ -51,7 +51,7 @@ bool EditMouse::cancel(EditParts& parts) {
     gesture_ = {};
     corners_.clear();
     refused_.clear();
-    return something;
+    return join_.cancel() || something;
 }
 
 void EditMouse::look(EditParts& parts) {
@@ -72,6 +72,8 @@ void EditMouse::look(EditParts& parts) {
     if (pointer.rightClicked && !pointer.overCard) { // lets go, as Esc does
         if (!corners_.empty()) {
             corners_.clear();
+        } else if (join_.cancel()) {
+            doing_ = Doing::nothing;
         } else if (!parts.partInHand.empty()) {
             parts.partInHand.clear();
         } else {
@@ -214,8 +216,7 @@ void EditMouse::press(EditParts& parts) {
         return clickCorner(parts);
     case Tool::joint:
     case Tool::wire:
-        from_ = pickObject(parts, parts.pointer.world);
-        doing_ = from_.empty() ? Doing::nothing : Doing::connecting;
+        doing_ = join_.press(parts) ? Doing::connecting : Doing::nothing;
         return;
     default:
         if (!corners_.empty()) { // an area, clicked corner by corner
@@ -228,6 +229,10 @@ void EditMouse::press(EditParts& parts) {
 void EditMouse::update(EditParts& parts) {
     Pointer const& pointer = parts.pointer;
     hovered_ = pointer.overCard || !pointer.inside ? "" : pickObject(parts, pointer.world);
+    if (std::exchange(tool_, parts.tool) != parts.tool) { // what was begun with another one is given up
+        cancel(parts);
+    }
+    join_.look(parts);
     bool const writable = !parts.document.readOnly();
     if (pointer.pressed && !pointer.overCard && !tookPart_) {
         parts.panelKeys = false;

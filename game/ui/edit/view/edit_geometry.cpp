@@ -48,20 +48,14 @@ std::optional<Area> areaFrom(edit::Json const& value) {
     return area;
 }
 
-/// An object of the world and the name of its entry; invalid and empty for none.
-struct Picked {
-    ObjectId object;
-    std::string entry;
-};
-
-/// The topmost object under a point that is not locked.
-Picked pickTopmost(EditParts const& parts, Vec2 at) {
+/// The topmost object under a point, with or without locked ones; invalid if there is none.
+ObjectId topmost(EditParts const& parts, Vec2 at, bool locked) {
     World const* const world = parts.world.world();
     if (world == nullptr) {
         return {};
     }
     double const reach = sceneReach * parts.pointer.pixel;
-    Picked nearest;
+    ObjectId nearest;
     double best = reach;
     auto const order = FactsReader(*world).drawOrder();
     for (auto facts = order.rbegin(); facts != order.rend(); ++facts) {
@@ -70,18 +64,23 @@ Picked pickTopmost(EditParts const& parts, Vec2 at) {
             continue;
         }
         std::string const& entry = parts.world.entryOf(facts->id);
-        if (entry.empty() || edit::isLocked(parts.tree(), entry)) {
+        if (entry.empty() || (!locked && edit::isLocked(parts.tree(), entry))) {
             continue;
         }
         if (distance <= 0) {
-            return {facts->id, entry};
+            return facts->id;
         }
         if (distance < best) {
             best = distance;
-            nearest = {facts->id, entry};
+            nearest = facts->id;
         }
     }
     return nearest;
+}
+
+/// The name of its entry; "" for none.
+std::string entryAt(EditParts const& parts, ObjectId object) {
+    return object.valid() ? parts.world.entryOf(object) : std::string();
 }
 
 AboutSelection const& aboutSelection(EditParts const& parts) {
@@ -102,19 +101,23 @@ AboutSelection const& aboutSelection(EditParts const& parts) {
 } // namespace
 
 std::string pickObject(EditParts const& parts, Vec2 at) {
-    return pickTopmost(parts, at).entry;
+    return entryAt(parts, topmost(parts, at, false));
+}
+
+ObjectId pickTopmost(EditParts const& parts, Vec2 at) {
+    return topmost(parts, at, true);
 }
 
 std::string pickPiece(EditParts const& parts, std::string const& entry, Vec2 at) {
-    Picked const picked = pickTopmost(parts, at);
-    if (picked.entry != entry || entry.empty()) {
+    ObjectId const picked = topmost(parts, at, false);
+    if (entry.empty() || entryAt(parts, picked) != entry) {
         return {};
     }
     edit::PartStatements ofParts(*parts.data);
     edit::Json const* const stated = edit::findObject(parts.tree(), entry);
     std::string const part = stated == nullptr ? std::string() : edit::textOf(*stated, "part");
     std::vector<edit::PartPiece> const& pieces = ofParts.pieces(part);
-    std::size_t const index = parts.world.pieceOf(picked.object);
+    std::size_t const index = parts.world.pieceOf(picked);
     if (index >= pieces.size()) { // a part of one object
         return {};
     }
