@@ -1,4 +1,5 @@
-// Whether a wire may go from one object to another: for the player's wires, and for those that an author draws.
+// Whether a wire may go from one object to another: for the player's wires, and for those that an author
+// draws.
 #pragma once
 
 #include "puzzle/session/placements.hpp"

@@ -98,6 +98,7 @@ inline char const* const& severalValues = editWord("several values");
 inline char const* const& objectsHeading = editWord("Objects");
 inline char const* const& jointsHeading = editWord("Joints");
 inline char const* const& connectionsHeading = editWord("Wires and other connections");
+inline char const* const& typeToFind = editWord("Type to search");
 inline char const* const& addProperty = editWord("Add a property …");
 inline char const* const& resetTip = editWord("Back to the value of the part");
 inline char const* const& removeTip = editWord("Without it");
@@ -242,7 +243,8 @@ inline char const* const& angleStep = editWord("Angle");
 inline char const* const& radius = editWord("Radius");
 inline char const* const& jointField = editWord("Joint");
 inline char const* const& toolSettings = editWord("Drawing");
-inline char const* const& numberTip = editWord("Drag, or double-click to type a number");
+inline char const* const& numberTip =
+    editWord("Click to type a number, Tab for the next one; drag to change it");
 inline char const* const& snapTip = editWord("Snap places and angles to the grid");
 inline char const* const& readOnlyShort = editWord("read-only");
 inline char const* const& notSaved = editWord("not saved yet");

@@ -94,27 +94,28 @@ void drawPieceChoice(EditParts& parts, std::vector<edit::InspectedPiece> const& 
 
 void drawAddProperty(EditParts& parts) {
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
-    if (!ImGui::BeginCombo("##add", words::addProperty)) {
-        parts.context.layout.item("add property");
-        return;
-    }
-    for (edit::AddableProperty const& property :
-         edit::addableProperties(*parts.data, parts.tree(), parts.selected(), parts.selection.piece())) {
-        if (ImGui::Selectable(text(property.name))) {
-            runWidget(
-                parts,
-                [&](Json const& level) {
-                    return edit::addProperty(*parts.data, level, parts.selected(), property.key,
-                                             parts.selection.piece());
-                },
-                false);
+    std::vector<edit::AddableProperty> addable;
+    auto const entries = [&] {
+        addable =
+            edit::addableProperties(*parts.data, parts.tree(), parts.selected(), parts.selection.piece());
+        std::sort(addable.begin(), addable.end(), [](auto const& one, auto const& other) {
+            return std::string_view(text(one.name)) < std::string_view(text(other.name));
+        });
+        std::vector<DropDown::Entry> all;
+        for (edit::AddableProperty const& property : addable) {
+            all.push_back({text(property.name), " = " + std::string(property.key), text(property.help)});
         }
-        parts.context.layout.item("add " + property.key);
-        if (ImGui::IsItemHovered()) {
-            ImGui::SetTooltip("%s", text(property.help));
-        }
+        return all;
+    };
+    if (auto const chosen = parts.dropDown.draw(parts, "add property", words::addProperty, entries)) {
+        runWidget(
+            parts,
+            [&](Json const& level) {
+                return edit::addProperty(*parts.data, level, parts.selected(), addable[*chosen].key,
+                                         parts.selection.piece());
+            },
+            false);
     }
-    ImGui::EndCombo();
 }
 
 /// Of many objects these take long to gather, so while they are dragged those from before the drag are shown.
