@@ -5,6 +5,7 @@
 #include "physics/dynamics/properties/shape.hpp"
 #include "physics/dynamics/properties/shapes/shape_rules.hpp"
 #include "physics/dynamics/rules/joint_rules.hpp"
+#include "runtime/placement.hpp"
 
 namespace trembler {
 namespace {

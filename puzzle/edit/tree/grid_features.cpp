@@ -35,14 +35,14 @@ void addPoint(GridFeatures& features, Vec2 at) {
     features.y.push_back(at.y);
 }
 
-void addShape(GridFeatures& features, Shape const& shape, Placement const& place) {
-    auto const [low, high] = extentOf(PlacedShape{shape, place.at, place.angle});
+void addShape(GridFeatures& features, PlacedShape const& placed) {
+    auto const [low, high] = extentOf(placed);
     addPoint(features, low);
     addPoint(features, high);
-    for (ShapePiece const& piece : shape.pieces) {
+    for (ShapePiece const& piece : placed.shape.pieces) {
         for (Vec2 const corner : straightCornersOf(piece)) {
             Vec2 const inObject = piece.at + rotated(corner, piece.angle);
-            addPoint(features, place.at + rotated(inObject, place.angle));
+            addPoint(features, placed.at + rotated(inObject, placed.angle));
         }
     }
 }
@@ -71,9 +71,8 @@ GridFeatures gridFeatures(GameData const& data, Json const& level, std::vector<s
             }
             auto const* const position = piece.find<Position>();
             auto const* const rotation = piece.find<Rotation>();
-            addShape(
-                features, *shape,
-                {position == nullptr ? Vec2{} : position->value, rotation == nullptr ? 0 : rotation->angle});
+            addShape(features, PlacedShape{*shape, position == nullptr ? Vec2{} : position->value,
+                                           rotation == nullptr ? 0 : rotation->angle});
         }
     }
     tidy(features.x);

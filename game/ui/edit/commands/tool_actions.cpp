@@ -1,13 +1,13 @@
 #include "game/ui/edit/commands/edit_actions.hpp"
 #include "game/ui/edit/edit_words.hpp"
 #include "game/ui/edit/tools/join_ends.hpp"
-#include "physics/dynamics/properties/body.hpp"
 #include "puzzle/edit/commands/connect.hpp"
 #include "puzzle/edit/commands/contents.hpp"
 #include "puzzle/edit/commands/goals.hpp"
 #include "puzzle/edit/commands/objects.hpp"
 #include "puzzle/edit/commands/shapes.hpp"
 #include "puzzle/edit/tree/tree_access.hpp"
+#include "runtime/placement.hpp"
 
 #include <array>
 

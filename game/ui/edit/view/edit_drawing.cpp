@@ -7,6 +7,7 @@
 #include "puzzle/edit/commands/connect.hpp"
 #include "puzzle/edit/commands/editor_state.hpp"
 #include "render/panels/world_label.hpp"
+#include "render/scene/objects/body.hpp"
 #include "render/scene/areas.hpp"
 
 #include <array>
