@@ -49,9 +49,10 @@ struct EditOptions {
 struct AboutSelection {
     std::uint64_t revision = 0;
     std::vector<std::string> names;
-    std::optional<Box> box; ///< around the selected objects that are not locked, m
-    bool scales = false;    ///< alike in both directions
-    bool stretches = false; ///< in one direction
+    std::optional<Box> box;    ///< around the selected objects that are not locked, m
+    std::vector<Vec2> corners; ///< of the outline of a single polygon, m
+    bool scales = false;       ///< alike in both directions
+    bool stretches = false;    ///< in one direction
     bool known = false;
 };
 struct InspectedSelection {

@@ -138,6 +138,11 @@ inline char const* const& reset = editWord("reset");
 inline char const* const& removeShort = editWord("×");
 inline char const* const& removeIt = editWord("Remove");
 inline char const* const& addEntry = editWord("Add one more");
+inline char const* const& addEntryOfText = editWord("Add one more: {}");
+/// `list`: of what, as "Corners".
+[[nodiscard]] inline std::string addEntryOf(std::string const& list) {
+    return filledIn(addEntryOfText, list);
+}
 inline char const* const& upIt = editWord("Move up");
 inline char const* const& downIt = editWord("Move down");
 inline char const* const& fromPart = editWord("As the part states it");

@@ -10,7 +10,8 @@ class KeysOwner {
 public:
     /// Call once per picture, after the panels were drawn, and ask it before a command runs by a key. A
     /// widget that gave the keys back in this picture, as a list does that Enter closed, still has them.
-    /// `carrying`: a part follows the mouse out of the catalogue, whose tile is held; the keys are the scene's.
+    /// `carrying`: a part follows the mouse out of the catalogue, whose tile is held; the keys are the
+    /// scene's.
     void look(bool carrying);
     [[nodiscard]] bool widgets() const { return now_ || before_; }
     /// Whether a popup is open.

@@ -5,6 +5,7 @@
 #include "game/ui/edit/panels/side_panel.hpp"
 #include "game/ui/edit/view/edit_geometry.hpp"
 #include "game/ui/shared/texts.hpp"
+#include "physics/dynamics/properties/body.hpp"
 #include "physics/dynamics/properties/joint.hpp"
 #include "puzzle/edit/commands/connect.hpp"
 #include "puzzle/edit/commands/contents.hpp"
@@ -118,6 +119,36 @@ void drawAddProperty(EditParts& parts) {
     }
 }
 
+/// Whether the objects stay where they are, which is asked more often than anything else about them.
+void drawFixed(EditParts& parts, std::vector<edit::InspectedProperty> const& properties) {
+    std::string const key(propertyInfo<Fixed>().text.key);
+    auto const found = std::find_if(properties.begin(), properties.end(),
+                                    [&](edit::InspectedProperty const& one) { return one.key == key; });
+    bool const listed = found != properties.end();
+    bool const mixed = listed && found->origin == edit::ValueOrigin::mixed;
+    bool on = listed && !mixed && found->origin != edit::ValueOrigin::removed;
+    bool const was = on;
+    std::string const name(propertyInfo<Fixed>().text.name);
+    std::string const help(propertyInfo<Fixed>().text.meaning);
+    fieldName(text(name), text(help) + (mixed ? std::string("\n") + words::severalValues : std::string()));
+    bool const changed = render::checkBox("##object fixed", &on);
+    parts.context.layout.item("object fixed");
+    if (!changed) {
+        return;
+    }
+    std::string const piece = parts.selection.piece();
+    runWidget(
+        parts,
+        [&](Json const& level) {
+            if (was) {
+                return edit::removeProperty(*parts.data, level, parts.selected(), key, piece);
+            }
+            return listed && !mixed ? edit::resetProperty(*parts.data, level, parts.selected(), key, piece)
+                                    : edit::addProperty(*parts.data, level, parts.selected(), key, piece);
+        },
+        false);
+}
+
 /// Of many objects these take long to gather, so while they are dragged those from before the drag are shown.
 InspectedSelection const& inspectedSelection(EditParts& parts) {
     InspectedSelection& seen = parts.inspected;
@@ -143,6 +174,8 @@ void drawObjectProperties(EditParts& parts) {
     auto const pieces = inspectedSelection(parts).pieces;
     drawPieceChoice(parts, pieces);
     auto const properties = inspectedSelection(parts).properties;
+    drawFixed(parts, properties);
+    drawAddProperty(parts);
     edit::InspectedProperty const* scripts = nullptr;
     for (edit::InspectedProperty const& property : properties) {
         if (property.key == "scripts" && parts.data->scripts != nullptr) {
@@ -152,7 +185,6 @@ void drawObjectProperties(EditParts& parts) {
         }
     }
     drawScripts(parts, scripts);
-    drawAddProperty(parts);
 }
 
 void drawJoint(EditParts& parts) {

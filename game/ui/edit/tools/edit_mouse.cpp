@@ -12,7 +12,8 @@
 namespace trembler::ui {
 namespace {
 
-constexpr double knobReach = 12; // pixels at UI scale 1
+constexpr double knobReach = 12;  // pixels at UI scale 1
+constexpr double cornerReach = 7; // pixels at UI scale 1: the knobs that scale are near
 
 bool nearTo(EditParts const& parts, Vec2 place) {
     return length(parts.pointer.world - place) < knobReach * parts.pointer.pixel;
@@ -103,6 +104,14 @@ bool EditMouse::pressHandle(EditParts& parts) {
                 beginGesture(parts, Doing::jointMoving);
                 return true;
             }
+        }
+    }
+    std::vector<Vec2> const corners = shapeCorners(parts);
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        if (length(parts.pointer.world - corners[i]) < cornerReach * parts.pointer.pixel) {
+            handle_ = i;
+            beginGesture(parts, Doing::shapeCorner);
+            return true;
         }
     }
     handles_ = handlesOf(parts);

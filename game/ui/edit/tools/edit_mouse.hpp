@@ -23,9 +23,10 @@ public:
         moving,
         turning,
         scaling,
-        boxing,     ///< selecting with a box
-        drawing,    ///< a shape or an area, from start() to the mouse
-        connecting, ///< a joint or a wire, from an object
+        boxing,      ///< selecting with a box
+        drawing,     ///< a shape or an area, from start() to the mouse
+        connecting,  ///< a joint or a wire, from an object
+        shapeCorner, ///< of the polygon that is selected
         areaCorner,
         areaMoving,
         jointMoving,

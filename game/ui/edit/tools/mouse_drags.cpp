@@ -118,6 +118,14 @@ void EditMouse::drag(EditParts& parts) {
             return edit::scaleObjects(*parts.data, level, parts.selected(), scaling.factors, scaling.centre);
         });
     }
+    case Doing::shapeCorner:
+        if (!moved) {
+            return;
+        }
+        return change(parts, [&](Json const& level) {
+            return edit::moveCorner(*parts.data, level, parts.selected().front(), handle_,
+                                    snapped(parts, pointer.world));
+        });
     case Doing::areaCorner:
     case Doing::areaMoving: {
         if (!moved) {

@@ -7,8 +7,8 @@
 #include "puzzle/edit/commands/connect.hpp"
 #include "puzzle/edit/commands/editor_state.hpp"
 #include "render/panels/world_label.hpp"
-#include "render/scene/objects/body.hpp"
 #include "render/scene/areas.hpp"
+#include "render/scene/objects/body.hpp"
 
 #include <array>
 #include <cmath>
@@ -86,6 +86,13 @@ void drawSelection(Canvas& canvas, EditParts const& parts, EditMouse const& mous
     drawKnob(canvas, handles->turn, true, near(handles->turn));
     for (Vec2 const at : handles->scaling) {
         drawKnob(canvas, at, false, near(at));
+    }
+    for (Vec2 const at : shapeCorners(parts)) { // smaller, as there may be many
+        bool const under = trembler::length(parts.pointer.world - at) < 7 * parts.pointer.pixel;
+        canvas.circle({toPoint(at), 0}, canvas.metres(4.5),
+                      {.tint = under ? palette::accent : palette::paperLight,
+                       .outline = 2.F,
+                       .outlineColour = palette::goal});
     }
 }
 

@@ -5,6 +5,7 @@
 #include "puzzle/edit/commands/editor_state.hpp"
 #include "puzzle/edit/commands/goals.hpp"
 #include "puzzle/edit/commands/objects.hpp"
+#include "puzzle/edit/commands/shapes.hpp"
 #include "puzzle/edit/tree/extent.hpp"
 #include "puzzle/edit/tree/part_statements.hpp"
 #include "puzzle/edit/tree/tree_access.hpp"
@@ -88,11 +89,14 @@ AboutSelection const& aboutSelection(EditParts const& parts) {
     if (about.known && about.revision == parts.document.revision() && about.names == parts.selected()) {
         return about;
     }
-    about = {parts.document.revision(), parts.selected(), {}, false, false, true};
+    about = {parts.document.revision(), parts.selected(), {}, {}, false, false, true};
     auto const names = edit::unlocked(parts.tree(), parts.selected());
     if (!names.empty()) {
         about.box = edit::extentOfObjects(*parts.data, parts.tree(), names);
         about.scales = edit::mayScale(*parts.data, parts.tree(), names, {1.1, 1.1});
+        if (names.size() == 1) {
+            about.corners = edit::outlineCorners(*parts.data, parts.tree(), names.front());
+        }
         about.stretches = about.scales && edit::mayScale(*parts.data, parts.tree(), names, {1.1, 1});
     }
     return about;
@@ -182,6 +186,12 @@ std::optional<SelectionHandles> handlesOf(EditParts const& parts) {
         handles.scaling.push_back(edge + knobGap * parts.pointer.pixel * outwards);
     }
     return handles;
+}
+
+std::vector<Vec2> shapeCorners(EditParts const& parts) {
+    AboutSelection const& about = aboutSelection(parts);
+    bool const one = parts.selected().size() == 1 && parts.selection.piece().empty();
+    return one && about.box && !parts.document.readOnly() ? about.corners : std::vector<Vec2>();
 }
 
 std::vector<SceneArea> sceneAreas(EditParts const& parts) {

@@ -32,6 +32,9 @@ struct SelectionHandles {
 };
 [[nodiscard]] std::optional<SelectionHandles> handlesOf(EditParts const& parts);
 
+/// The corners of the selected polygon by which it is changed, m; empty for any other selection.
+[[nodiscard]] std::vector<Vec2> shapeCorners(EditParts const& parts);
+
 /// An area that is seen in the scene.
 struct SceneArea {
     EntryKind kind = EntryKind::none; ///< placing or goalArea

@@ -49,7 +49,7 @@ TEST_F(Dragging, AGroupKeepsItsOffsets) {
         before.push_back(designer.placeOf(name));
     }
     designer.parts().selection.set({"box", "box 2", "box 3"});
-    designer.key(SDLK_g);
+    designer.ctrl(SDLK_g);
     drag({0.05, 0.5}, {-1.23, 0.51});
     std::size_t i = 0;
     for (char const* const name : {"box", "box 2", "box 3"}) {
