@@ -1,5 +1,6 @@
 // An open list, a menu or a field that is edited has the keys: no key runs a command of the editor behind it.
 #include "game/ui/edit/commands/edit_commands.hpp"
+#include "game/ui/edit/edit_words.hpp"
 #include "game/ui/edit/keys_owner.hpp"
 #include "render/window/gamepad.hpp"
 #include "tests/game/ui/edit/editor_kit.hpp"
@@ -72,11 +73,6 @@ std::vector<Chord> allKeys(Designer& designer) {
         }
     }
     return keys;
-}
-
-std::string nameOf(Chord const& chord) {
-    return std::string(chord.ctrl ? "Ctrl+" : "") + (chord.shift ? "Shift+" : "") +
-           (chord.alt ? "Alt+" : "") + SDL_GetKeyName(chord.key);
 }
 
 void begin(Designer& designer) {

@@ -1,6 +1,7 @@
 // Objects that are dragged keep their edges and corners on the grid, with real input events.
 #include "tests/game/ui/edit/editor_kit.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace trembler::ui::test {
@@ -96,6 +97,38 @@ TEST_F(Dragging, AKnobTakesAnEdgeToTheGrid) {
     EXPECT_NEAR(at.y - height / 2, 0, 1e-8);
     EXPECT_TRUE(onGrid(at.x + width / 2) || onGrid(at.y + height / 2));
     EXPECT_GT(height, 1.1);
+}
+
+TEST_F(Dragging, ACornerOfAPolygonIsDraggedToTheGrid) {
+    designer.key(SDLK_p);
+    for (Vec2 const corner : {Vec2{0, 0.5}, Vec2{1, 0.5}, Vec2{1, 1}, Vec2{0, 1}, Vec2{0, 0.5}}) {
+        designer.click(designer.on(corner));
+    }
+    designer.key(SDLK_s);
+    designer.frames(2);
+    ASSERT_EQ(shapeCorners(designer.parts()).size(), 4U);
+    std::size_t const before = designer.parts().document.done();
+    drag({1, 1}, {0.52, 0.71});
+    designer.frames(2);
+    std::vector<Vec2> const corners = shapeCorners(designer.parts());
+    ASSERT_EQ(corners.size(), 4U) << "it is concave now, and in pieces";
+    EXPECT_GT(designer.tree()["objects"].back()["properties"]["shape"].size(), 1U);
+    EXPECT_EQ(std::count_if(corners.begin(), corners.end(),
+                            [](Vec2 at) {
+                                return length(at - Vec2{0.5, 0.7}) < 1e-8;
+                            }),
+              1);
+    EXPECT_EQ(designer.parts().document.done(), before + 1) << "one step of undo";
+    designer.look("edit-corners-dragged");
+    designer.ctrl(SDLK_z);
+    designer.frames(2);
+    EXPECT_EQ(designer.tree()["objects"].back()["properties"]["shape"].size(), 1U);
+    auto const toasts = designer.app().context().toasts.count();
+    drag({1, 1}, {-0.5, 0.75}); // across the other edge
+    for (Vec2 const corner : shapeCorners(designer.parts())) {
+        EXPECT_GE(corner.x, -1e-8) << "the edges would cross";
+    }
+    EXPECT_GT(designer.app().context().toasts.count(), toasts) << "and the designer is told";
 }
 
 } // namespace
