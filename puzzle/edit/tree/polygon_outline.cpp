@@ -12,32 +12,33 @@ namespace {
 /// Corners of two pieces that differ by less than this, m, are one: files state them to a nanometre.
 constexpr double sameCorner = 1e-7;
 
-using Key = std::pair<std::int64_t, std::int64_t>;
+using CornerKey = std::pair<std::int64_t, std::int64_t>;
 
-Key keyOf(Vec2 point) {
+CornerKey cornerKey(Vec2 point) {
     return {std::llround(point.x / sameCorner), std::llround(point.y / sameCorner)};
 }
 
 } // namespace
 
 std::optional<std::vector<Vec2>> polygonOutline(Shape const& shape) {
-    std::map<Key, Vec2> places;
-    std::set<std::pair<Key, Key>> edges;
+    std::map<CornerKey, Vec2> places;
+    std::set<std::pair<CornerKey, CornerKey>> edges;
     for (ShapePiece const& piece : shape.pieces) {
         if (piece.form != ShapeForm::polygon || piece.corners.size() < 3) {
             return {};
         }
-        std::vector<Key> keys;
+        std::vector<CornerKey> keys;
         for (Vec2 const corner : piece.corners) {
             Vec2 const at = piece.at + rotated(corner, piece.angle);
-            keys.push_back(keyOf(at));
+            keys.push_back(cornerKey(at));
             places.emplace(keys.back(), at);
         }
         for (std::size_t i = 0; i < keys.size(); ++i) {
             edges.emplace(keys[i], keys[(i + 1) % keys.size()]);
         }
     }
-    std::map<Key, Key> next; // along the outline: edges that no other piece has in the other direction
+    std::map<CornerKey, CornerKey>
+        next; // along the outline: edges that no other piece has in the other direction
     for (auto const& [from, to] : edges) {
         if (!edges.contains({to, from}) && !next.emplace(from, to).second) {
             return {}; // it touches itself
@@ -47,9 +48,9 @@ std::optional<std::vector<Vec2>> polygonOutline(Shape const& shape) {
         return {};
     }
     std::vector<Vec2> outline;
-    Key at = keyOf(shape.pieces.front().at +
-                   rotated(shape.pieces.front().corners.front(), shape.pieces.front().angle));
-    Key const first = next.contains(at) ? at : next.begin()->first;
+    CornerKey at = cornerKey(shape.pieces.front().at +
+                             rotated(shape.pieces.front().corners.front(), shape.pieces.front().angle));
+    CornerKey const first = next.contains(at) ? at : next.begin()->first;
     at = first;
     do {
         outline.push_back(places.at(at));

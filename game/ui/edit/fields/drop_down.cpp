@@ -48,7 +48,7 @@ std::vector<std::size_t> fitting(std::vector<DropDown::Entry> const& all, std::s
 }
 
 /// What was typed, above the entries of a long list; before that, that one can type.
-void drawTyped(std::string const& typed, bool none) {
+void drawSearched(std::string const& typed, bool none) {
     ImGui::PushStyleColor(ImGuiCol_Text, imColour4(none            ? palette::warning
                                                    : typed.empty() ? palette::inkSoft
                                                                    : palette::accent));
@@ -175,7 +175,7 @@ std::optional<std::size_t> DropDown::draw(EditParts& parts, std::string const& i
         bool const entered = !fresh && readKeys(parts, fits.size());
         bool const moved = fresh || typedNow || marked_ != before;
         if (long_) {
-            drawTyped(typed_, fits.empty());
+            drawSearched(typed_, fits.empty());
         }
         chosen = drawEntries(parts, item, all, fits, moved);
         if (entered && marked_ < fits.size()) {

@@ -37,7 +37,7 @@ float dragSpeed(double value) {
 }
 
 /// The number with its unit or, where that is too wide, without it, or with fewer digits.
-std::string fitted(double value, std::string const& unit, bool whole, float room) {
+std::string fittedNumber(double value, std::string const& unit, bool whole, float room) {
     std::string shown = withUnit(inDigits(value, digitsOfDrag, whole), unit);
     for (int digits = digitsOfDrag; digits > 0 && ImGui::CalcTextSize(shown.c_str()).x > room; --digits) {
         shown = inDigits(value, digits, whole);
@@ -45,7 +45,7 @@ std::string fitted(double value, std::string const& unit, bool whole, float room
     return shown;
 }
 
-void tipOf(double value, std::string const& unit, bool whole, std::string const& shown) {
+void numberTipOf(double value, std::string const& unit, bool whole, std::string const& shown) {
     ImGuiContext const& context = *ImGui::GetCurrentContext();
     if (!ImGui::IsItemHovered() || ImGui::IsItemActive() || context.HoveredIdTimer < tipAfter) {
         return;
@@ -96,12 +96,12 @@ bool numberField(EditParts& parts, std::string const& item, double& value, doubl
         float const padding = ImGui::GetStyle().FramePadding.x;
         ImVec2 const corner = ImGui::GetItemRectMin();
         ImVec2 const opposite = ImGui::GetItemRectMax();
-        std::string const shown = fitted(value, unit, whole, opposite.x - corner.x - padding);
+        std::string const shown = fittedNumber(value, unit, whole, opposite.x - corner.x - padding);
         ImVec2 const size = ImGui::CalcTextSize(shown.c_str());
         ImGui::GetWindowDrawList()->AddText({std::round(0.5F * (corner.x + opposite.x - size.x)),
                                              std::round(0.5F * (corner.y + opposite.y - size.y))},
                                             colour, shown.c_str());
-        tipOf(value, unit, whole, shown);
+        numberTipOf(value, unit, whole, shown);
     }
     return changed;
 }

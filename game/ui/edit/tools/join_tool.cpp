@@ -11,7 +11,7 @@ bool joins(Tool tool) {
     return tool == Tool::wire || tool == Tool::joint;
 }
 
-Vec2 onGrid(EditParts const& parts) {
+Vec2 placeOnGrid(EditParts const& parts) {
     Pointer const& pointer = parts.pointer;
     return pointer.free ? pointer.world : parts.snapping.place(pointer.world);
 }
@@ -23,7 +23,7 @@ bool JoinTool::isClick(EditParts const& parts) const {
 }
 
 Join JoinTool::joinTo(EditParts const& parts, JoinEnd const& to) const {
-    Vec2 const end = onGrid(parts);
+    Vec2 const end = placeOnGrid(parts);
     // On the object itself: to the world.
     JoinEnd const other = to.object == from_.object ? JoinEnd{} : to;
     return {parts.tool, from_, other, isClick(parts) ? end : start_, end};
@@ -65,7 +65,7 @@ bool JoinTool::press(EditParts& parts) {
         return false;
     }
     from_ = under_;
-    start_ = parts.tool == Tool::wire ? parts.pointer.world : onGrid(parts);
+    start_ = parts.tool == Tool::wire ? parts.pointer.world : placeOnGrid(parts);
     pressedAt_ = parts.pointer.screen;
     return true;
 }

@@ -86,9 +86,9 @@ TEST_F(Joining, ThreeWiresAreThreeDrags) {
     EXPECT_EQ(problems(), before) << "what was drawn is right as it is";
     EXPECT_EQ(designer.parts().tool, Tool::wire) << "the tool stays";
     EXPECT_EQ(designer.parts().document.done(), 3U) << "each is a step";
-    // They are drawn: each can be clicked.
+    // They are drawn: the longest one can be clicked where it hangs below the floor.
     designer.key(SDLK_s);
-    std::vector<Point> const path = pathOf(designer.parts(), "cell plus", "button left");
+    std::vector<Point> const path = pathOf(designer.parts(), "light right", "cell minus");
     ASSERT_GE(path.size(), 2U);
     Point const middle = 0.5 * (path[(path.size() - 1) / 2] + path[path.size() / 2]);
     designer.click(designer.on({middle.x, middle.y}));
