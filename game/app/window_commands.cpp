@@ -63,9 +63,6 @@ int takeScreenshot(ScreenshotArguments const&) {
 #else
 
 int play(PlayArguments const& arguments) {
-    if (arguments.pictures) {
-        checkFolderName("--pictures", *arguments.pictures);
-    }
     // Those of the level's mods are loaded when it is opened, so that the window can say what is wrong with
     // them.
     GameData const gameData;

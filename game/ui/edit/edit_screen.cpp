@@ -163,18 +163,14 @@ void EditScreen::turnPages() {
 void EditScreen::handleKeys() {
     UiContext& context = parts_.context;
     bool const escape = context.menuKeys.pressed(MenuKey::back);
-    bool const popup = ImGui::GetCurrentContext()->OpenPopupStack.Size > 0;
-    if (escape && popup) { // a menu or a drop-down
+    keysOwner_.look(!parts_.partInHand.empty());
+    if (escape && KeysOwner::popup()) { // a menu or a drop-down
         ImGui::ClosePopupToLevel(0, true);
     }
-    if (escape && (popup || std::exchange(popupWasOpen_, popup))) {
+    if (keysOwner_.widgets()) {
         return;
     }
-    popupWasOpen_ = popup;
     if (escape && mouse_.cancel(parts_)) {
-        return;
-    }
-    if (context.gui.wantsKeyboard()) {
         return;
     }
     if (parts_.panelKeys) {
