@@ -76,7 +76,9 @@ std::optional<std::string> drawToolbox(CommandButtons& buttons, Session const& s
         return taken;
     }
     layout.beginCard("toolbox", words::toolbox,
-                     {.anchor = Anchor::TopRight, .offset = {cardGap, cornerRow}, .width = toolboxWidth});
+                     {.anchor = Anchor::TopRight,
+                      .offset = {cardGap, cornerRow},
+                      .width = toolboxWidth(ImGui::GetIO().DisplaySize.x / theme().scale)});
     float const screen = ImGui::GetIO().DisplaySize.y;
     float const gap = scaled(8);
     float const tile = scaled(tileSide + 24);

@@ -227,8 +227,9 @@ SceneOptions sceneOptions(PlayParts& parts, double time) {
     if (bare) {
         return options;
     }
-    if (parts.session.level().placing && carried && !carried->turning) {
+    if (parts.session.level().placing && parts.run.building()) {
         options.placing = *parts.session.level().placing;
+        options.faintPlacing = !(carried && !carried->turning) && !parts.group.dragging();
     }
     if (parts.inspector.open() && !(parts.placing.selected() && !carried)) {
         options.selected = parts.inspector.object(parts.session);

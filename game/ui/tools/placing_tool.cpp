@@ -116,10 +116,12 @@ void PlacingTool::follow(Pointer const& pointer) {
 
 void PlacingTool::drop(bool dragged) {
     if (!carried_->verdict.ok) {
-        // A dragged part returns to its former place. One that follows the mouse without a button stays in
-        // the hand, which shows the reason.
+        // The part stays in the hand, which shows the reason, and follows the mouse until the next click. Only
+        // one that was turned by its handle turns back.
         if (dragged) {
             toasts_.add(words::capital(translated(carried_->verdict.why)), render::ToastKind::Trouble, 2.5);
+        }
+        if (carried_->turning) {
             carried_.reset();
         }
         return;
