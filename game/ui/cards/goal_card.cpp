@@ -262,7 +262,8 @@ private:
     [[nodiscard]] static float hintWidth() {
         ImGui::PushFont(theme().fonts.strong);
         float widest = 0;
-        for (char const* const label : {text(words::hint), words::nextHint, words::foldHints}) {
+        for (char const* const label :
+             {static_cast<char const*>(words::hint), words::nextHint, words::foldHints}) {
             widest = std::max(widest, ImGui::CalcTextSize(label).x);
         }
         float const icon = ImGui::GetFontSize();

@@ -56,13 +56,15 @@ HintCardAsked drawHintCard(Layout& layout, HintCardLook const& look) {
     if (look.hints.empty()) {
         return asked;
     }
-    layout.beginCard("hints", "", {.anchor = Anchor::TopLeft, .offset = {cardGap, look.top}, .width = goalCardWidth});
+    layout.beginCard("hints", "",
+                     {.anchor = Anchor::TopLeft, .offset = {cardGap, look.top}, .width = goalCardWidth});
     asked = drawHintHead(layout, look);
     // Text that does not fit scrolls; the height used is that of the last picture.
     std::string const& hint = look.hints[std::min(look.at, look.hints.size() - 1)];
     ImGuiID const heightId = ImGui::GetID("height of the hint");
-    float const most = std::max(scaled(look.most) - ImGui::GetCursorPosY() - ImGui::GetStyle().WindowPadding.y,
-                                2 * ImGui::GetTextLineHeight());
+    float const most =
+        std::max(scaled(look.most) - ImGui::GetCursorPosY() - ImGui::GetStyle().WindowPadding.y,
+                 2 * ImGui::GetTextLineHeight());
     bool const scrolls = ImGui::GetStateStorage()->GetFloat(heightId) > most;
     if (scrolls) {
         ImGui::PushStyleColor(ImGuiCol_ChildBg, ImVec4(0, 0, 0, 0));

@@ -101,7 +101,9 @@ bool Inspector::draw(Layout& layout, Session const& session, SidePlace const& pl
         name_ = session.world().store().nameOf(subject); // placed otherwise, parts may have other names
     }
     shown_ = inspect(past != nullptr ? *past : session.world(), subject, scripts_);
-    layout.beginCard("inspector", "", {.anchor = Anchor::TopRight, .offset = {place.right, place.top}, .width = inspectorWidth});
+    layout.beginCard(
+        "inspector", "",
+        {.anchor = Anchor::TopRight, .offset = {place.right, place.top}, .width = inspectorWidth});
     ImGui::PushFont(theme().fonts.heading);
     float const side = scaled(40);
     float const room = ImGui::GetContentRegionAvail().x - side;

@@ -232,7 +232,7 @@ char const* hintLabel(PlayParts const& parts) {
         return nullptr;
     }
     if (parts.hintsShown == 0 || parts.hintsFolded) {
-        return text(words::hint);
+        return words::hint;
     }
     return parts.hintsShown < total ? words::nextHint : words::foldHints;
 }
@@ -271,12 +271,11 @@ void drawHints(PlayParts& parts) {
     float const scale = parts.context.window.uiScale();
     float const top = belowGoal(parts, true);
     float const height = static_cast<float>(parts.context.window.size().height) / scale;
-    HintCardAsked const asked =
-        drawHintCard(parts.context.layout, {.hints = std::span(all).first(shown),
-                                            .total = all.size(),
-                                            .at = std::min(parts.hintAt, shown - 1),
-                                            .top = top,
-                                            .most = height - top - bottomRow});
+    HintCardAsked const asked = drawHintCard(parts.context.layout, {.hints = std::span(all).first(shown),
+                                                                    .total = all.size(),
+                                                                    .at = std::min(parts.hintAt, shown - 1),
+                                                                    .top = top,
+                                                                    .most = height - top - bottomRow});
     parts.hintAt = asked.at.value_or(parts.hintAt);
     parts.hintsFolded = asked.fold;
 }
@@ -294,8 +293,8 @@ std::optional<std::size_t> drawPlayCards(PlayParts& parts, CommandSet const& com
     Beside const beside = cardsBeside(parts);
     bool const choosing =
         parts.timeline.shown() && (parts.timeline.probes().choosing() || parts.whatIf->active());
-    bool const goal = beside.goal && !parts.goalAside &&
-                      !(choosing && beside.narrow); // the card of plots takes its room
+    bool const goal =
+        beside.goal && !parts.goalAside && !(choosing && beside.narrow); // the card of plots takes its room
     if (goal) {
         drawGoals(parts, buttons);
     }

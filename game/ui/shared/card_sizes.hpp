@@ -6,7 +6,7 @@
 namespace trembler::ui {
 
 /// Widths in pixels at UI scale 1; the other cards stay clear of these.
-inline constexpr float goalCardWidth = 316; ///< of a column beside a picture, and of the card of hints
+inline constexpr float goalCardWidth = 316;  ///< of a column beside a picture, and of the card of hints
 inline constexpr float inspectorWidth = 324; ///< and that of the card that says why
 inline constexpr float cardGap = 16;
 inline constexpr float bottomRow = 74;    ///< height of the cards at the bottom

@@ -116,8 +116,8 @@ void PlacingTool::follow(Pointer const& pointer) {
 
 void PlacingTool::drop(bool dragged) {
     if (!carried_->verdict.ok) {
-        // The part stays in the hand, which shows the reason, and follows the mouse until the next click. Only
-        // one that was turned by its handle turns back.
+        // The part stays in the hand, which shows the reason, and follows the mouse until the next click.
+        // Only one that was turned by its handle turns back.
         if (dragged) {
             toasts_.add(words::capital(translated(carried_->verdict.why)), render::ToastKind::Trouble, 2.5);
         }

@@ -118,8 +118,8 @@ void FittedView::setStage(PlayParts& parts) {
     stage_.low = {gap, std::max(above + clear, scale_ * static_cast<double>(cornerRow))};
     stage_.high = {toolbox ? toolbox->low.x - gap : window_.width - gap,
                    window_.height - scale_ * (static_cast<double>(bottomRow) + cardClearance)};
-    parts.view.setView(window_, {stage_.low.x, stage_.low.y, window_.width - stage_.high.x,
-                                 window_.height - stage_.high.y});
+    parts.view.setView(
+        window_, {stage_.low.x, stage_.low.y, window_.width - stage_.high.x, window_.height - stage_.high.y});
 }
 
 /// Where it is, or, as long as that is not known, the column in which it will be.

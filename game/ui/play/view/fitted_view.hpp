@@ -56,7 +56,7 @@ private:
     LevelExtents extents_;
     Rect stage_;
     double goalHeight_ = 140; ///< of its card while the player builds, pixels at UI scale 1
-    int pictures_ = 0; ///< with cards of this window since it has its size; -1: the view is fitted
+    int pictures_ = 0;        ///< with cards of this window since it has its size; -1: the view is fitted
     bool wasBuilding_ = true;
 };
 

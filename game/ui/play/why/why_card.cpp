@@ -215,7 +215,8 @@ std::optional<std::uint64_t> WhyPanel::draw(Layout& layout, SidePlace const& pla
     if (!open_) {
         return std::nullopt;
     }
-    layout.beginCard("why", "", {.anchor = Anchor::TopRight, .offset = {place.right, place.top}, .width = inspectorWidth});
+    layout.beginCard(
+        "why", "", {.anchor = Anchor::TopRight, .offset = {place.right, place.top}, .width = inspectorWidth});
     std::optional<std::uint64_t> wanted;
     float used = 0;
     drawHead(layout, used);
