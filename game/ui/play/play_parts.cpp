@@ -304,7 +304,9 @@ void PlayParts::showCut() {
 }
 
 std::optional<TurnHandle> PlayParts::handle() {
-    return turnHandle(session, placing, catalog(), pointer.pixel);
+    return turnHandle(session, placing, catalog(), pointer.pixel, [this](Vec2 at) {
+        return !context.layout.cardAt(camera().toScreen({at.x, at.y})).empty();
+    });
 }
 
 } // namespace trembler::ui

@@ -104,7 +104,8 @@ void PlacingTool::follow(Pointer const& pointer) {
         Vec2 const arm = pointer.world - wanted.at;
         if (lengthSquared(arm) > 0) {
             double const step = pointer.free || pointer.fine ? fineTurnStep : turnStep;
-            wanted.angle = tidyAngle(std::round((std::atan2(arm.y, arm.x) - pi / 2) / step) * step);
+            double const side = carried_->handleBelow ? -pi / 2 : pi / 2;
+            wanted.angle = tidyAngle(std::round((std::atan2(arm.y, arm.x) - side) / step) * step);
         }
         settle(wanted, 0);
         return;
@@ -188,6 +189,8 @@ void PlacingTool::updateFree(Pointer const& pointer, std::optional<int> hovered,
             pickUp(*selected_, {}, pointer);
             if (carried_) {
                 carried_->turning = true;
+                Vec2 const arm = rotated(pointer.world - carried_->landing.at, -carried_->landing.angle);
+                carried_->handleBelow = arm.y < 0;
             }
             return;
         }

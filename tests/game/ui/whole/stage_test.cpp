@@ -357,6 +357,26 @@ TEST(Stage, EscapeDeselectsBeforeItOpensTheMenu) {
     EXPECT_TRUE(player.app().menu().isOpen());
 }
 
+// A part near the upper edge of the stage has its knob under the goals.
+TEST(Stage, KeepsTheKnobThatTurnsAPartFreeOfCards) {
+    Player player;
+    player.open(firstContact);
+    player.drag(player.item("part spanner"), player.at({-1.8, 1.5}));
+    ASSERT_TRUE(player.play().handle());
+    Vec2 const above = *player.play().handle();
+    EXPECT_GT(above.y, 1.5);
+    while (player.layout().cardAt(player.at(above)).empty() && player.at({0, 1.5}).y > 0) {
+        player.key(SDLK_DOWN, KMOD_LCTRL);
+    }
+    player.frames(2);
+    ASSERT_TRUE(player.play().handle());
+    Vec2 const below = *player.play().handle();
+    ASSERT_LT(below.y, 1.5);
+    EXPECT_EQ(player.layout().cardAt(player.at(below)), "");
+    player.drag(player.at(below), player.at(Vec2{-1.8, 1.5} + Vec2{1, 0}));
+    EXPECT_NEAR(player.session().placed().front().placement.angle, pi / 2, 1e-9);
+}
+
 /// How many of the pixels on a line of the world are not as they are without the areas for placing.
 int inkAlong(Player& player, render::Image const& with, render::Image const& without, Vec2 from, Vec2 to) {
     int ink = 0;
