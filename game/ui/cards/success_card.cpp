@@ -85,13 +85,13 @@ void drawSuccess(CommandButtons& buttons, Session const& session, Celebration co
     // In a run the toolbox leaves its place, where nothing of the machine lies.
     layout.beginCard("success", "",
                      {.anchor = Anchor::TopRight, .offset = {cardGap, cornerRow}, .width = width});
-    float const seal = scaled(30);
+    float const seal = scaled(std::min(30.F, 0.12F * width)); // so that the words fit beside it
     ImVec2 const at = ImGui::GetCursorScreenPos();
     if (layout.card("success")) { // never alone: the card is not seen before its size is known
         drawSeal({at.x + seal, at.y + seal}, seal,
                  look.moving ? celebration.age() : std::numeric_limits<double>::infinity());
     }
-    ImGui::SetCursorScreenPos({at.x + 2 * seal + scaled(16), at.y - scaled(2)});
+    ImGui::SetCursorScreenPos({at.x + 2 * seal + scaled(12), at.y - scaled(2)});
     ImGui::BeginGroup();
     ImGui::PushFont(theme().fonts.heading);
     ImGui::TextUnformatted(words::solved);

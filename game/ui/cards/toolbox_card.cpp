@@ -42,12 +42,13 @@ void drawWhereToDrop() {
 
 /// The keys for the part in the hand, if there is room for them.
 void drawHandRow(CommandButtons& buttons) {
-    float const width = 4 * scaled(40) + 3 * scaled(7);
+    constexpr float between = 6;
+    float const width = 4 * scaled(40) + 3 * scaled(between);
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 0.5F * (ImGui::GetContentRegionAvail().x - width));
     bool first = true;
     for (char const* const id : {"turn-left", "turn-right", "flip", "put-back"}) {
         if (!first) {
-            ImGui::SameLine(0, scaled(7));
+            ImGui::SameLine(0, scaled(between));
         }
         first = false;
         buttons.icon(id);
