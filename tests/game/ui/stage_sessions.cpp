@@ -2,6 +2,7 @@
 
 #include "game/ui/play/view/level_extents.hpp"
 #include "physics/dynamics/properties/body.hpp"
+#include "render/scene/areas.hpp"
 #include "render/scene/facts/pick.hpp"
 #include "runtime/placement.hpp"
 
@@ -76,7 +77,14 @@ Rect widestFree(Layout const& layout, render::Size window, double leastHeight) {
 }
 
 StageSession::StageSession(Player& player, std::uint64_t seed)
-    : player_(player), random_(seed), scene_(focusOf(player.session())) {}
+    : player_(player), random_(seed), scene_(focusOf(player.session())) {
+    LevelFile const& level = player.session().level();
+    for (Area const& area : level.placing.value_or(std::vector<Area>{})) {
+        scene_.add(render::extentOf(area));
+    }
+    scene_.add(GoalAreas(level).extent());
+    scene_ = scene_.widened(0.06 * render::length(scene_.half()));
+}
 
 Point StageSession::anywhere() {
     render::Size const size = window().size();

@@ -53,7 +53,7 @@ private:
 
     Player& player_;
     std::mt19937_64 random_;
-    render::Extent scene_; ///< at the start
+    render::Extent scene_; ///< at the start, with the areas of goals and for placing
     std::string story_;
 };
 
