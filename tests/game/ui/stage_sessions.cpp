@@ -1,6 +1,7 @@
 #include "tests/game/ui/stage_sessions.hpp"
 
 #include "game/ui/play/view/level_extents.hpp"
+#include "game/ui/play/whatif/what_if.hpp"
 #include "physics/dynamics/properties/body.hpp"
 #include "render/scene/areas.hpp"
 #include "render/scene/facts/pick.hpp"

@@ -115,11 +115,11 @@ void FittedView::setStage(PlayParts& parts) {
     double const gap = scale_ * static_cast<double>(cardGap);
     double const clear = scale_ * cardClearance;
     double const above = goal ? goal->high.y : gap + scale_ * goalHeight_;
-    stage_.low = {gap, std::max(above + clear, scale_ * static_cast<double>(cornerRow))};
-    stage_.high = {toolbox ? toolbox->low.x - gap : window_.width - gap,
+    stage_.low = {0, std::max(above + clear, scale_ * static_cast<double>(cornerRow))};
+    stage_.high = {toolbox ? toolbox->low.x - clear : window_.width,
                    window_.height - scale_ * (static_cast<double>(bottomRow) + cardClearance)};
-    parts.view.setView(
-        window_, {stage_.low.x, stage_.low.y, window_.width - stage_.high.x, window_.height - stage_.high.y});
+    double const right = window_.width - stage_.high.x + (toolbox ? gap - clear : gap);
+    parts.view.setView(window_, {gap, stage_.low.y, right, window_.height - stage_.high.y});
 }
 
 /// Where it is, or, as long as that is not known, the column in which it will be.

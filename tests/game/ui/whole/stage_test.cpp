@@ -2,7 +2,6 @@
 // the player moves it.
 #include "game/ui/app/menu/settings_page.hpp"
 #include "game/ui/play/view/level_extents.hpp"
-#include "game/ui/shared/card_sizes.hpp"
 #include "game/ui/shared/texts.hpp"
 #include "render/scene/facts/pick.hpp"
 #include "tests/game/ui/edit/editor_kit.hpp"
@@ -22,6 +21,7 @@ namespace {
 
 constexpr std::array stageSizes{render::Size{800, 600}, render::Size{1280, 720}, render::Size{1280, 800},
                                 render::Size{1920, 1080}, render::Size{3840, 2160}};
+constexpr double leastShare = 0.7; ///< of the window's width
 auto const firstContact = levelsFolder() / "first/1-first-contact.json";
 auto const ferry = levelsFolder() / "4-water/3-ferry.json";
 
@@ -56,7 +56,7 @@ std::ostream& operator<<(std::ostream& out, View const& view) {
 void expectStage(Player& player, std::string const& where) {
     render::Size const size = window().size();
     Rect const stage = player.play().stage();
-    double const wide = stageShare * size.width - 1;
+    double const wide = leastShare * size.width;
     EXPECT_GE(stage.high.x - stage.low.x, wide) << where;
     EXPECT_GE(widestFree(player.layout(), size, 0.4 * size.height).high.x -
                   widestFree(player.layout(), size, 0.4 * size.height).low.x,
@@ -441,7 +441,7 @@ TEST(Stage, IsTheSameInTheTestOfTheEditor) {
         auto& screen = dynamic_cast<EditScreen&>(designer.app().screen());
         ASSERT_NE(screen.test(), nullptr);
         Rect const stage = screen.test()->stage();
-        EXPECT_GE(stage.high.x - stage.low.x, stageShare * size.width - 1) << sized(size);
+        EXPECT_GE(stage.high.x - stage.low.x, leastShare * size.width) << sized(size);
         expectTidy(designer, "the test at " + sized(size));
         auto const view = screen.test()->camera();
         designer.key(SDLK_SPACE);
