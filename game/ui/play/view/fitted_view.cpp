@@ -20,7 +20,7 @@ constexpr std::array<std::array<char const*, 2>, 3> openedCards{
 constexpr double cardClearance = 6; // pixels at UI scale 1, around a card
 /// A level that would be smaller than this, as a share of its size without the card, is shown as without it,
 /// and the card covers it: it could hardly be recognised beside the card.
-constexpr double worthwhile = 0.5;
+constexpr double worthwhile = 0.33;
 
 bool sameCard(std::optional<Rect> const& a, std::optional<Rect> const& b) {
     return a.has_value() == b.has_value() && (!a || (a->low == b->low && a->high == b->high));
