@@ -52,6 +52,19 @@ struct Beside {
     float right = cardGap; ///< of the inspector and of the card that says why, see SidePlace
 };
 
+/// Whether the inspector would lie over the very object that it is about.
+bool coversItsObject(PlayParts const& parts, float width, float right) {
+    World const& world = parts.session.world();
+    ObjectId const object = parts.inspector.object(parts.session);
+    if (!object.valid()) {
+        return false;
+    }
+    auto const scale = static_cast<double>(parts.context.window.uiScale());
+    double const x = parts.camera().toScreen(parts.scene.poseOf(world, object).at).x / scale;
+    double const edge = static_cast<double>(width - right);
+    return x < edge && x > edge - static_cast<double>(inspectorWidth);
+}
+
 /// In a small window a panel takes the place of the goal or the toolbox, and is hidden behind cards that the
 /// player must see or has opened later. The toolbox keeps its place while something is built: what is
 /// inspected or explained stands beside it.
@@ -73,10 +86,13 @@ Beside cardsBeside(PlayParts const& parts) {
     beside.goal = !beside.panels || height >= leastForGoalAndPanel;
     beside.toolbox = building && (!beside.panels || width >= panelsWidth + box + 2 * cardGap);
     beside.right = beside.toolbox ? cardGap + box : cardGap;
+    bool const left =
+        building && !beside.panels && !parts.why.open() && coversItsObject(parts, width, beside.right);
+    beside.right = left ? width - cardGap - inspectorWidth : beside.right;
     bool const holds = parts.placing.carried() || parts.group.dragging();
     float const roomForHints = 2 * cardGap + goalCardWidth + (inspects ? inspectorWidth + beside.right : 0);
     beside.hints = building && parts.hintsShown > 0 && !parts.hintsFolded && !holds && beside.goal &&
-                   !parts.goalAside && !beside.panels && width >= roomForHints;
+                   !parts.goalAside && !beside.panels && !left && width >= roomForHints;
     return beside;
 }
 
