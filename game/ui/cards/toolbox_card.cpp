@@ -42,10 +42,10 @@ void drawWhereToDrop() {
 
 /// The keys for the part in the hand, if there is room for them.
 void drawHandRow(CommandButtons& buttons) {
-    constexpr float buttons = 4 * 40;
+    constexpr float sides = 4 * 40;
     float const room = ImGui::GetContentRegionAvail().x / theme().scale;
-    float const between = std::clamp((room - buttons) / 3, 2.F, 6.F);
-    float const width = scaled(buttons + 3 * between);
+    float const between = std::clamp((room - sides) / 3, 2.F, 6.F);
+    float const width = scaled(sides + 3 * between);
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 0.5F * (ImGui::GetContentRegionAvail().x - width));
     bool first = true;
     for (char const* const id : {"turn-left", "turn-right", "flip", "put-back"}) {
