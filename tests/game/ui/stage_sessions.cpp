@@ -158,6 +158,11 @@ std::string StageSession::grab() {
 
 std::string StageSession::click() {
     Point const at = anywhere();
+    for (Placed const& item : player_.layout().items()) {
+        if (item.rect.contains(at) && isOneOf(item.name, notPressed)) {
+            return "not " + item.name;
+        }
+    }
     auto const button = below(6) == 0 ? MouseButton::Right : MouseButton::Left;
     player_.click(at, button);
     return fmt::format("click at {:.0f} {:.0f}", at.x, at.y);
