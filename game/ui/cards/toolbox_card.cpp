@@ -42,12 +42,15 @@ void drawWhereToDrop() {
 
 /// The keys for the part in the hand, if there is room for them.
 void drawHandRow(CommandButtons& buttons) {
-    float const width = 4 * scaled(40) + 3 * scaled(7);
+    constexpr float sides = 4 * 40;
+    float const room = ImGui::GetContentRegionAvail().x / theme().scale;
+    float const between = std::clamp((room - sides) / 3, 2.F, 6.F);
+    float const width = scaled(sides + 3 * between);
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 0.5F * (ImGui::GetContentRegionAvail().x - width));
     bool first = true;
     for (char const* const id : {"turn-left", "turn-right", "flip", "put-back"}) {
         if (!first) {
-            ImGui::SameLine(0, scaled(7));
+            ImGui::SameLine(0, scaled(between));
         }
         first = false;
         buttons.icon(id);
@@ -76,7 +79,9 @@ std::optional<std::string> drawToolbox(CommandButtons& buttons, Session const& s
         return taken;
     }
     layout.beginCard("toolbox", words::toolbox,
-                     {.anchor = Anchor::TopRight, .offset = {cardGap, cornerRow}, .width = toolboxWidth});
+                     {.anchor = Anchor::TopRight,
+                      .offset = {cardGap, cornerRow},
+                      .width = toolboxWidth(ImGui::GetIO().DisplaySize.x / theme().scale)});
     float const screen = ImGui::GetIO().DisplaySize.y;
     float const gap = scaled(8);
     float const tile = scaled(tileSide + 24);

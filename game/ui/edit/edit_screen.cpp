@@ -29,7 +29,13 @@ namespace {
 using namespace render;
 
 /// From the right edge of the window to the left of the buttons in its corner, pixels at UI scale 1.
-constexpr float besideCorner = 354;
+constexpr float besideCorner = cornerWidth + 2 * cardGap;
+/// Of the two buttons there, and a gap.
+constexpr float besideCornerWidth = 2 * 40 + 7 + cardGap;
+
+bool isNarrow() {
+    return ImGui::GetIO().DisplaySize.x / theme().scale < roomyWidth;
+}
 
 void drawEditVeil() {
     ImGui::GetBackgroundDrawList()->AddRectFilled({0, 0}, ImGui::GetIO().DisplaySize,
@@ -79,7 +85,7 @@ std::span<Gesture const> EditScreen::gestures() const {
 void EditScreen::drawTestCard() {
     UiContext& context = parts_.context;
     // Where the buttons at the bottom leave no room it stands beside those at the top, without words.
-    bool const narrow = ImGui::GetIO().DisplaySize.x / theme().scale < roomyWidth;
+    bool const narrow = isNarrow();
     CardOptions const beside{.anchor = Anchor::TopRight, .offset = {besideCorner, cardGap}, .bare = true};
     CardOptions const below{.anchor = Anchor::BottomRight, .bare = true};
     context.layout.beginCard("test", "", narrow ? beside : below);
@@ -105,6 +111,7 @@ void EditScreen::drawTestCard() {
 
 void EditScreen::updateTest(double seconds) {
     parts_.goals.follow(parts_.test->session());
+    parts_.test->keepBesideCorner(isNarrow() ? besideCornerWidth : 0);
     auto asked = parts_.test->update(seconds);
     parts_.goals.follow(parts_.test->session());
     parts_.autosave->tick(parts_.document, seconds);
@@ -122,7 +129,7 @@ void EditScreen::updateTest(double seconds) {
     bool const running = parts_.test->session().mode() != SessionMode::building;
     // The card of success comes to the same corner and says the same.
     bool const success = parts_.context.layout.card("success").has_value();
-    if (running && !success && !parts_.test->inspector().open()) {
+    if (running && !success && !parts_.test->inspector().open() && !parts_.test->why().open()) {
         drawLiveGoals(parts_, cornerRow);
     }
     drawTestCard();

@@ -30,7 +30,7 @@ void drawHandle(PlayParts& parts) {
     Point const centre = toPoint(placement.at);
     double const arm = length(handle->at - placement.at);
     Colour const colour = palette::accent;
-    double const angle = placement.angle + pi / 2;
+    double const angle = handle->angle;
     canvas.arc(centre, arm, angle - 0.5, 0.36, {.colour = colour, .pixels = 2, .alpha = 0.55F});
     canvas.arc(centre, arm, angle + 0.14, 0.36, {.colour = colour, .pixels = 2, .alpha = 0.55F});
     Pointer const& pointer = parts.pointer;
@@ -227,8 +227,9 @@ SceneOptions sceneOptions(PlayParts& parts, double time) {
     if (bare) {
         return options;
     }
-    if (parts.session.level().placing && carried && !carried->turning) {
+    if (parts.session.level().placing && parts.run.building()) {
         options.placing = *parts.session.level().placing;
+        options.faintPlacing = !(carried && !carried->turning) && !parts.group.dragging();
     }
     if (parts.inspector.open() && !(parts.placing.selected() && !carried)) {
         options.selected = parts.inspector.object(parts.session);

@@ -62,6 +62,7 @@ PlayParts::PlayParts(UiContext& uiContext, std::filesystem::path levelFile,
     }
     newWorld();
     view.setSubject(subject());
+    view.setLimits(subject());
     tellOfCrowd();
 }
 
@@ -131,6 +132,8 @@ void PlayParts::stepped() {
     if (!celebration.noteStep(session)) {
         return;
     }
+    inspector.close(); // the card of success comes in their place
+    why.close();
     if (CatalogEntry const* const entry = context.levels.find(file)) {
         solvedLevel(entry->id);
     }
@@ -256,10 +259,21 @@ void PlayParts::restart() {
     inspector.close();
     why.close();
     session.putAllBack();
-    hintsShown = 0;
+    hintsShown = hintAt = 0;
+    hintsFolded = false;
     lesson.restart();
     newWorld();
-    view.fit();
+}
+
+void PlayParts::showHint() {
+    std::size_t const total = said.hints().size();
+    if (hintsShown > 0 && hintsFolded) {
+        hintsFolded = false;
+        return;
+    }
+    hintsFolded = hintsShown > 0 && hintsShown >= total;
+    hintsShown = std::min(hintsShown + 1, total);
+    hintAt = hintsShown > 0 && !hintsFolded ? hintsShown - 1 : hintAt;
 }
 
 render::Extent PlayParts::subject() const {
@@ -289,7 +303,9 @@ void PlayParts::showCut() {
 }
 
 std::optional<TurnHandle> PlayParts::handle() {
-    return turnHandle(session, placing, catalog(), pointer.pixel);
+    return turnHandle(session, placing, catalog(), pointer.pixel, [this](Vec2 at) {
+        return !context.layout.cardAt(camera().toScreen({at.x, at.y})).empty();
+    });
 }
 
 } // namespace trembler::ui

@@ -102,8 +102,13 @@ struct PlayParts {
     bool movesView = false; ///< arrow keys and the directional pad move the view
     AskedTwice allBack;     ///< whether all parts are to be put back
     Shown shown;
-    std::size_t hintsShown = 0;
-    Pointer pointer;                      ///< of this picture
+    std::size_t hintsShown = 0;    ///< for which the player has asked
+    std::size_t hintAt = 0;        ///< the one that is shown, from 0
+    bool hintsFolded = false;      ///< none is shown at present
+    std::optional<bool> storyOpen; ///< the player's choice, see GoalCardLook
+    bool fitWanted = false;        ///< the view is to show everything beside all cards, see FittedView
+    float besideCorner = 0; ///< width of what else stands beside the buttons in the corner, at UI scale 1
+    Pointer pointer;        ///< of this picture
     std::optional<ScreenRequest> request; ///< the request of this picture to the program
 
     [[nodiscard]] render::Camera const& camera() const { return view.camera(); }
@@ -139,6 +144,8 @@ struct PlayParts {
     void showCut();
     /// The handle that turns the selected part, if there is one at present.
     [[nodiscard]] std::optional<TurnHandle> handle();
+    /// Shows the next hint, or, if hints are folded, the one that was shown; after the last one folds them.
+    void showHint();
 
 private:
     [[nodiscard]] RunEvents runEvents();

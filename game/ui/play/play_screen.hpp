@@ -36,6 +36,13 @@ public:
 
     [[nodiscard]] Session const& session() const { return parts_.session; }
     [[nodiscard]] Session& session() { return parts_.session; }
+    /// Keeps room for another card at the left of the buttons in the corner, of this width and the gap beside
+    /// it, pixels at UI scale 1.
+    void keepBesideCorner(float width) { parts_.besideCorner = width; }
+    /// The part of the window that the cards around the level leave to the scene, see FittedView.
+    [[nodiscard]] Rect const& stage() const { return fittedView_.stage(); }
+    /// Whether the view is about to be fitted, as the level was opened or the window has another size.
+    [[nodiscard]] bool settles() const { return fittedView_.settles(); }
     /// To be called after other code has given the session another world.
     void worldChanged() { parts_.newWorld(); }
     [[nodiscard]] std::filesystem::path const& file() const { return parts_.file; }

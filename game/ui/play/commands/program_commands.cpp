@@ -18,7 +18,8 @@ void openMenu(PlayParts& parts) {
 }
 
 /// Ends one thing: moving the view by keys, the use of the scissors, the carrying or choice of parts, the
-/// inspector, the computing of a what-if, the what-if. If there is none of these, opens the menu.
+/// inspector, the selection, the computing of a what-if, the what-if. If there is none of these, opens the
+/// menu.
 void back(PlayParts& parts) {
     if (std::exchange(parts.movesView, false)) {
         return;
@@ -33,6 +34,8 @@ void back(PlayParts& parts) {
         parts.why.stopOrClose();
     } else if (parts.inspector.open()) {
         parts.inspector.close();
+    } else if (parts.run.building() && parts.placing.selected()) {
+        parts.placing.select(std::nullopt);
     } else if (parts.whatIfTool->cutting()) {
         parts.whatIfTool->setCutting(false);
     } else if (parts.whatIf->working() && !parts.whatIf->stopped()) {

@@ -13,11 +13,10 @@ using render::Icon;
 constexpr double budgetStep = 1.25; // the factor by which a key changes the time budget
 
 void hint(PlayParts& parts) {
-    auto const& hints = parts.session.level().hints;
-    if (hints.empty()) {
+    if (parts.said.hints().empty()) {
         parts.context.toasts.add(words::noHints);
     }
-    parts.hintsShown = std::min(parts.hintsShown + 1, hints.size());
+    parts.showHint();
 }
 
 /// The two panels lie in the same place.
@@ -109,7 +108,8 @@ constexpr Command<PlayParts> toolTable[] = {
               .name = words::hint,
               .tip = "Show a hint",
               .help = "hint"},
-     .run = hint},
+     .run = hint,
+     .available = [](PlayParts const& parts) { return parts.run.building(); }},
     {.info = {.id = "components",
               .keys = {{{SDLK_c}, {SDLK_F3}}},
               .icon = Icon::Gauge,
