@@ -251,9 +251,17 @@ std::optional<std::size_t> drawPlayCards(PlayParts& parts, CommandSet const& com
     if (beside.toolbox) {
         std::string const hint =
             words::toolboxHint(keyOf(context.keys, "turn-left"), keyOf(context.keys, "turn-right"));
-        if (auto const part = drawToolbox(buttons, session, parts.catalog(), carriedPart(parts), hint,
-                                          parts.allBack, parts.wires.laying())) {
+        if (auto const part = drawToolbox(buttons, session, parts.catalog(), parts.toolbox,
+                                          {.carried = carriedPart(parts),
+                                           .hint = hint,
+                                           .allBack = parts.allBack,
+                                           .laying = parts.wires.laying()})) {
             takeFromToolbox(parts, *part);
+        }
+        if (parts.toolbox.takeWanted()) {
+            if (auto const found = parts.toolbox.firstShown(session.toolbox(), parts.catalog())) {
+                parts.takeByKey(*found);
+            }
         }
     }
     Speed const& speed = parts.run.speed();
