@@ -132,8 +132,9 @@ std::optional<std::string> drawTiles(Layout& layout, std::vector<ToolboxSlot> co
 
 float toolboxWidthOf(Session const& session) {
     bool const large = session.level().toolbox.size() > ToolboxView::mostInSmall;
-    bool const roomy = ImGui::GetIO().DisplaySize.x >= scaled(roomyWidth);
-    return large && roomy ? largeToolboxWidth : toolboxWidth;
+    float const window = ImGui::GetIO().DisplaySize.x / theme().scale;
+    constexpr float most = 0.3F; // of the window's width, with the gaps at both sides
+    return large ? std::min(largeToolboxWidth, most * window - 2 * cardGap) : toolboxWidth;
 }
 
 std::optional<std::string> drawToolbox(CommandButtons& buttons, Session const& session, PartCatalog& catalog,

@@ -6,7 +6,7 @@ namespace trembler::ui {
 /// Widths in pixels at UI scale 1; the other cards stay clear of these.
 inline constexpr float goalCardWidth = 316;
 inline constexpr float toolboxWidth = 236;
-inline constexpr float largeToolboxWidth = 292; ///< of many parts, in a roomy window
+inline constexpr float largeToolboxWidth = 292; ///< at most, of a toolbox of many parts
 inline constexpr float cardGap = 16;
 inline constexpr float bottomRow = 74;    ///< height of the cards at the bottom
 inline constexpr float cornerRow = 74;    ///< height of the buttons in the top right corner
