@@ -19,12 +19,13 @@ constexpr float tileSide = 92;
 constexpr float tileFoot = 24;
 constexpr float handRowHeight = 52;
 constexpr float leastTileInLarge = 66; ///< a large toolbox has as many columns as fit
-constexpr float tallWindow = 700;      ///< with room for the row of the hand in a large toolbox
+constexpr float tallWindow = 700;      ///< with room for rows of buttons below a large toolbox
 
 /// What the card has beside its tiles, pixels at UI scale 1.
 constexpr float smallRest = 200; ///< title, hint, the button that puts all parts back
 constexpr float largeRest = 208; ///< title, search, groups, that button
 constexpr float wireRow = 56;
+constexpr float iconRow = 12; ///< less, as both buttons are in one row of icons
 
 /// Shows the part's description while the mouse rests on its tile: left of the toolbox, whose other tiles
 /// stay in sight.
@@ -71,6 +72,17 @@ void drawAllBack(CommandButtons& buttons, AskedTwice const& allBack) {
                              .look = asks ? ButtonLook::Danger : ButtonLook::Quiet,
                              .width = -1,
                              .withIcon = !asks});
+}
+
+/// In a low window: the buttons for wires and for putting all parts back.
+void drawIconRow(CommandButtons& buttons, bool wires) {
+    float const width = (wires ? 2 : 1) * scaled(40) + (wires ? scaled(7) : 0);
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 0.5F * (ImGui::GetContentRegionAvail().x - width));
+    if (wires) {
+        buttons.icon("wire");
+        ImGui::SameLine(0, scaled(7));
+    }
+    buttons.icon("all-back");
 }
 
 struct TileGrid {
@@ -159,19 +171,20 @@ std::optional<std::string> drawToolbox(CommandButtons& buttons, Session const& s
     TileGrid grid;
     if (large) {
         float const width =
-            ImGui::GetContentRegionAvail().x / theme().scale - ImGui::GetStyle().ScrollbarSize;
+            (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ScrollbarSize) / theme().scale;
         grid.gap = 6;
         grid.columns =
             static_cast<std::size_t>(std::max(1.F, (width + grid.gap) / (leastTileInLarge + grid.gap)));
         auto const columns = static_cast<float>(grid.columns);
         grid.side = std::min(tileSide, (width - (columns - 1) * grid.gap) / columns);
     }
-    float const tile = scaled(grid.side + tileFoot + (large ? 0.F : grid.gap));
+    float const tile = scaled(grid.side + tileFoot);
     auto const rows = static_cast<float>((shown.size() + grid.columns - 1) / grid.columns);
     float const rest = large ? largeRest : smallRest;
-    float const without = screen - scaled(cornerRow + bottomRow + rest + (wires > 0 ? wireRow : 0));
-    bool const handRow =
-        !slots.empty() && without > tile + scaled(handRowHeight) && (!large || screen >= scaled(tallWindow));
+    bool const low = large && screen < scaled(tallWindow);
+    float const more = low ? -iconRow : wires > 0 ? wireRow : 0;
+    float const without = screen - scaled(cornerRow + bottomRow + rest + more);
+    bool const handRow = !slots.empty() && without > tile + scaled(handRowHeight) && !low;
     float const room = without - (handRow ? scaled(handRowHeight) : 0);
     // A large toolbox keeps its size, whatever is sought in it.
     bool const scrolls = large || rows * (tile + scaled(grid.gap)) > room;
@@ -193,7 +206,9 @@ std::optional<std::string> drawToolbox(CommandButtons& buttons, Session const& s
     if (handRow) {
         drawHandRow(buttons);
     }
-    if (wires > 0) {
+    if (low) {
+        drawIconRow(buttons, wires > 0);
+    } else if (wires > 0) {
         std::string const label = words::wiresLeft(session.wiresLeft());
         buttons.big("wire", {.label = label.c_str(),
                              .look = look.laying ? ButtonLook::Primary : ButtonLook::Quiet,
@@ -202,7 +217,9 @@ std::optional<std::string> drawToolbox(CommandButtons& buttons, Session const& s
     if (!large) {
         smallCaption(carried ? words::dropHere : look.hint.c_str());
     }
-    drawAllBack(buttons, look.allBack);
+    if (!low) {
+        drawAllBack(buttons, look.allBack);
+    }
     if (carried) {
         drawWhereToDrop();
     }

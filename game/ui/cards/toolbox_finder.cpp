@@ -31,7 +31,7 @@ constexpr std::array<GroupLook, partGroupNames.size()> groupLooks{GroupLook{"gro
                                                                   {"group.solids", Icon::Solids},
                                                                   {"group.mods", Icon::Script}};
 
-void drawField(CommandButtons& buttons, ToolboxView& view) {
+void drawField(CommandButtons& buttons, ToolboxView& view, bool escape) {
     std::array<char, ToolboxView::longestText + 1> buffer{};
     std::memcpy(buffer.data(), view.sought().data(), view.sought().size());
     std::string const hint = words::seekPart(buttons.keyOf("find-part"));
@@ -42,7 +42,7 @@ void drawField(CommandButtons& buttons, ToolboxView& view) {
     bool const taken =
         ImGui::InputTextWithHint("##seek", hint.c_str(), buffer.data(), buffer.size(),
                                  ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
-    bool const left = ImGui::IsItemDeactivated() && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
+    bool const left = ImGui::IsItemDeactivated() && escape;
     buttons.layout().item("seek part");
     if (left) {
         view.seek("");
@@ -77,8 +77,8 @@ char const* nameOf(PartGroup group) {
 }
 
 void drawToolboxFinder(CommandButtons& buttons, std::vector<ToolboxSlot> const& slots, PartCatalog& catalog,
-                       ToolboxView& view) {
-    drawField(buttons, view);
+                       ToolboxView& view, bool escape) {
+    drawField(buttons, view, escape);
     auto const there = ToolboxView::groupsIn(slots, catalog);
     auto const places = static_cast<float>(there.size() + 1);
     float const gap = scaled(4);
