@@ -53,6 +53,7 @@ struct ToolboxLook {
     std::string hint{};        ///< below the tiles of a small toolbox while no part is carried
     AskedTwice const& allBack; ///< whether all parts are to be put back
     bool laying = false;       ///< wires are being laid
+    bool escape = false;       ///< Esc went down in this picture
 };
 
 // Each function draws its card between Gui::beginFrame and endFrame. Commands that the player asks for are

@@ -164,7 +164,7 @@ std::optional<std::string> drawToolbox(CommandButtons& buttons, Session const& s
         "toolbox", words::toolbox,
         {.anchor = Anchor::TopRight, .offset = {cardGap, cornerRow}, .width = toolboxWidthOf(session)});
     if (large) {
-        drawToolboxFinder(buttons, slots, catalog, view);
+        drawToolboxFinder(buttons, slots, catalog, view, look.escape);
     }
     std::vector<ToolboxSlot> const shown = view.shown(slots, catalog);
     float const screen = ImGui::GetIO().DisplaySize.y;

@@ -8,10 +8,10 @@
 
 namespace trembler::ui {
 
-/// Inside the toolbox's card, above its tiles. Esc leaves the field and ends the search; Enter takes the
-/// first part that was found.
+/// Inside the toolbox's card, above its tiles. Esc (`escape`: it went down in this picture) leaves the field
+/// and ends the search; Enter takes the first part that was found.
 void drawToolboxFinder(CommandButtons& buttons, std::vector<ToolboxSlot> const& slots, PartCatalog& catalog,
-                       ToolboxView& view);
+                       ToolboxView& view, bool escape);
 
 /// The name of a group in the language in use.
 [[nodiscard]] char const* nameOf(PartGroup group);

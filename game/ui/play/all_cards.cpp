@@ -255,7 +255,8 @@ std::optional<std::size_t> drawPlayCards(PlayParts& parts, CommandSet const& com
                                           {.carried = carriedPart(parts),
                                            .hint = hint,
                                            .allBack = parts.allBack,
-                                           .laying = parts.wires.laying()})) {
+                                           .laying = parts.wires.laying(),
+                                           .escape = context.input.keyPressed(SDLK_ESCAPE)})) {
             takeFromToolbox(parts, *part);
         }
         if (parts.toolbox.takeWanted()) {
