@@ -12,15 +12,31 @@ namespace trembler::ui::test {
 namespace toolbox_card_test {
 namespace {
 
+constexpr Vec2 plus{-0.72, 0.15};
+constexpr Vec2 minus{-1.28, 0.15};
+constexpr Vec2 lamp{1, 1.5};
+
+void enter(Player& who) {
+    who.clickItem("free play");
+    who.frames(6);
+}
+
+/// Whether the lamp shines in a run.
+bool lit(Player& who) {
+    who.key(SDLK_SPACE);
+    who.simulate(10);
+    World const& world = who.session().world();
+    auto const* const state = world.find<ElectricalState>();
+    bool const on = state != nullptr && state->isOn(world.store().find("lamp 1"));
+    who.key(SDLK_SPACE);
+    return on;
+}
+
 class FreePlay : public testing::Test {
 protected:
     explicit FreePlay(render::Size size = {1280, 800}) : player(size) { enter(player); }
     ~FreePlay() override { useLanguage("en"); }
 
-    static void enter(Player& who) {
-        who.clickItem("free play");
-        who.frames(6);
-    }
     void type(std::string const& letters) {
         render::pushText(window(), letters);
         player.frames(2);
@@ -50,21 +66,9 @@ protected:
         place("lamp", {1, 1.5});
         ASSERT_EQ(player.session().placed().size(), 2U);
     }
-    [[nodiscard]] bool lit(Player& who) {
-        who.key(SDLK_SPACE);
-        who.simulate(10);
-        World const& world = who.session().world();
-        auto const* const state = world.find<ElectricalState>();
-        bool const on = state != nullptr && state->isOn(world.store().find("lamp 1"));
-        who.key(SDLK_SPACE);
-        return on;
-    }
     [[nodiscard]] std::string told() { return player.app().context().toasts.newest(); }
 
     Player player;
-    static constexpr Vec2 plus{-0.72, 0.15};
-    static constexpr Vec2 minus{-1.28, 0.15};
-    static constexpr Vec2 lamp{1, 1.5};
 };
 
 TEST_F(FreePlay, ClicksLayWiresAndTheLampLights) {
@@ -106,7 +110,7 @@ TEST_F(FreePlay, DragsLayWiresScissorsTakeThemAndTheBuildIsKept) {
     EXPECT_EQ(player.session().placed().size(), 0U) << "without a profile nothing is kept";
 }
 
-TEST_F(FreePlay, ABuildWithWiresIsThereAgain) {
+TEST(FreePlayKept, ABuildWithWiresIsThereAgain) {
     auto const folder = testFolder() / "kept";
     std::filesystem::remove_all(folder);
     Player keeping({1280, 800}, folder / "profile.json");
