@@ -23,7 +23,7 @@ struct PlacedPart {
 /// One compartment of the toolbox.
 struct ToolboxSlot {
     std::string part;
-    int total = 0;
+    int total = 0; ///< may be unlimitedCount, as `left` is then
     int left = 0;
 };
 

@@ -79,8 +79,8 @@ public:
     // Wires. They are edits like those of parts, with the same undo; a wire is removed with a part at its
     // end.
     [[nodiscard]] std::vector<LaidWire> const& wires() const { return wires_.now(); }
-    /// How many more wires the toolbox has.
-    [[nodiscard]] int wiresLeft() const { return level_.wires - static_cast<int>(wires().size()); }
+    /// How many more wires the toolbox has; may be unlimitedCount.
+    [[nodiscard]] int wiresLeft() const { return leftOf(level_.wires, static_cast<int>(wires().size())); }
     /// Whether a wire may be laid between two objects of world().
     [[nodiscard]] Verdict checkWire(ObjectId a, ObjectId b) const;
     /// False if checkWire() refuses it.

@@ -16,6 +16,7 @@ namespace trembler::ui {
 class AskedTwice;
 class Celebration;
 class LevelText;
+class ToolboxView;
 
 /// Lengths in pixels at UI scale 1.
 struct GoalCardLook {
@@ -74,6 +75,14 @@ struct CarriedPart {
     bool isNew = false; ///< it comes from the toolbox, whose count still includes it
 };
 
+struct ToolboxLook {
+    std::optional<CarriedPart> carried{};
+    std::string hint{};        ///< below the tiles of a small toolbox while no part is carried
+    AskedTwice const& allBack; ///< whether all parts are to be put back
+    bool laying = false;       ///< wires are being laid
+    bool escape = false;       ///< Esc went down in this picture
+};
+
 // Each function draws its card between Gui::beginFrame and endFrame. Commands that the player asks for are
 // recorded in `buttons`.
 
@@ -90,11 +99,10 @@ void drawCorner(CommandButtons& buttons, bool ran);
 /// Draws nothing while there is nothing to celebrate.
 void drawSuccess(CommandButtons& buttons, Session const& session, Celebration const& celebration,
                  SuccessLook const& look);
-/// Returns the part on whose tile the mouse button was pressed. `hint` is the text below the tiles while no
-/// part is carried. `allBack`: whether all parts are to be put back;
-/// `laying`: wires are being laid.
+/// Returns the part on whose tile the mouse button was pressed.
 std::optional<std::string> drawToolbox(CommandButtons& buttons, Session const& session, PartCatalog& catalog,
-                                       std::optional<CarriedPart> const& carried, std::string const& hint,
-                                       AskedTwice const& allBack, bool laying);
+                                       ToolboxView& view, ToolboxLook const& look);
+/// Whether it has so many parts that it is wide, in groups and with a search: see toolboxWidth().
+[[nodiscard]] bool hasLargeToolbox(Session const& session);
 
 } // namespace trembler::ui

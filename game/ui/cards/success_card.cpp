@@ -78,7 +78,7 @@ void drawSuccess(CommandButtons& buttons, Session const& session, Celebration co
         return;
     }
     Layout& layout = buttons.layout();
-    float const width = toolboxWidth(ImGui::GetIO().DisplaySize.x / theme().scale);
+    float const width = toolboxWidth(ImGui::GetIO().DisplaySize.x / theme().scale, hasLargeToolbox(session));
     if (look.moving) {
         drawConfetti(celebration.age(), ImGui::GetIO().DisplaySize.x - scaled(width + 2 * cardGap));
     }

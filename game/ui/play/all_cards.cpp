@@ -76,7 +76,7 @@ Beside cardsBeside(PlayParts const& parts) {
     bool const building = parts.run.building();
     LevelFile const& level = parts.session.level();
     bool const boxed = building && (!level.toolbox.empty() || level.wires > 0);
-    float const box = boxed ? toolboxWidth(width) + cardGap : 0;
+    float const box = boxed ? toolboxWidth(width, hasLargeToolbox(parts.session)) + cardGap : 0;
     bool const inspects = parts.inspector.open() || parts.why.open(); // one in the place of the other
     Beside beside;
     beside.narrow = width < roomyWidth;
@@ -321,9 +321,18 @@ std::optional<std::size_t> drawPlayCards(PlayParts& parts, CommandSet const& com
     if (beside.toolbox) {
         std::string const hint =
             words::toolboxHint(keyOf(context.keys, "turn-left"), keyOf(context.keys, "turn-right"));
-        if (auto const part = drawToolbox(buttons, session, parts.catalog(), carriedPart(parts), hint,
-                                          parts.allBack, parts.wires.laying())) {
+        if (auto const part = drawToolbox(buttons, session, parts.catalog(), parts.toolbox,
+                                          {.carried = carriedPart(parts),
+                                           .hint = hint,
+                                           .allBack = parts.allBack,
+                                           .laying = parts.wires.laying(),
+                                           .escape = context.input.keyPressed(SDLK_ESCAPE)})) {
             takeFromToolbox(parts, *part);
+        }
+        if (parts.toolbox.takeWanted()) {
+            if (auto const found = parts.toolbox.firstShown(session.toolbox(), parts.catalog())) {
+                parts.takeByKey(*found);
+            }
         }
     }
     Speed const& speed = parts.run.speed();

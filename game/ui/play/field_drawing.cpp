@@ -161,6 +161,8 @@ void drawWords(PlayParts const& parts, bool bare) {
             chip(parts.pointer.world, translated(parts.wires.why()), palette::warning, 28);
         } else if (parts.wires.from().valid() && !parts.wires.to().valid()) {
             chip(parts.pointer.world, words::wireFromHere, palette::accent, 28);
+        } else if (!parts.wires.from().valid() && !parts.picking.hovered().valid()) {
+            chip(parts.pointer.world, words::wireBegins, palette::accent, 28);
         }
     }
     if (auto const& wire = parts.wires.wireUnderBlades(); parts.wires.cutting() && wire.a.valid()) {

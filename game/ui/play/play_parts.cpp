@@ -210,6 +210,17 @@ void PlayParts::keepBuild(double seconds) {
     keeper.pass(session, seconds);
 }
 
+void PlayParts::takeByKey(std::string const& part) {
+    placing.cancel();
+    group.reset();
+    wires.reset();
+    keyPointer.show(pointer, camera());
+    Pointer at = pointer;
+    at.world = keyPointer.at();
+    placing.take(part, at);
+    placing.keepInHand();
+}
+
 void PlayParts::passMods(double seconds) {
     if (liveMods == nullptr) {
         return;

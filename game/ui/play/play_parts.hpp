@@ -4,6 +4,7 @@
 #include "game/budget/budget_mode.hpp"
 #include "game/ui/cards/celebration.hpp"
 #include "game/ui/cards/level_text.hpp"
+#include "game/ui/cards/toolbox_view.hpp"
 #include "game/ui/panels/components_panel.hpp"
 #include "game/ui/panels/inspector.hpp"
 #include "game/ui/panels/mods_panel.hpp"
@@ -65,6 +66,7 @@ struct PlayParts {
     PlacingTool placing;
     GroupTool group;
     WireTool wires;
+    ToolboxView toolbox;
     HandTool hand;
     HandTool secondHand;
     budget::BudgetMode budget;
@@ -118,6 +120,12 @@ struct PlayParts {
     /// Writes the placed parts, if that is due; reports to the player if it cannot be written.
     void keepBuild(double seconds);
     [[nodiscard]] PartCatalog& catalog() { return modParts ? *modParts : context.catalog; }
+    /// The parts of the toolbox that are shown, in order.
+    [[nodiscard]] std::vector<ToolboxSlot> shownTools() {
+        return toolbox.shown(session.toolbox(), catalog());
+    }
+    /// Takes a part out of the toolbox by a key: it follows the pointer until the next press.
+    void takeByKey(std::string const& part);
     /// Reports messages of scripts and saved script files to the player; `seconds` have passed. Between
     /// frames.
     void passMods(double seconds);

@@ -64,8 +64,9 @@ std::optional<ScreenRequest> PlayScreen::update(double seconds) {
     bool const cardKeys = parts_.whatIfTool->cardHasKeys();
     passKeysToCard(cardKeys);
     holdDirection(cardKeys ? Vec2{} : padDirection(context), seconds, mouse);
-    parts_.pointer = parts_.keyPointer.instead(mouse, parts_.camera(),
-                                               !cardKeys && isHeld(context.input, context.keys, "act"));
+    parts_.pointer =
+        parts_.keyPointer.instead(mouse, parts_.camera(), isHeld(context.input, context.keys, "act"),
+                                  !cardKeys && !context.gui.wantsKeyboard());
     parts_.allBack.pass(seconds);
     parts_.why.pass();
     if (!parts_.run.building()) {
@@ -185,6 +186,12 @@ void PlayScreen::tellOfRefused(std::optional<std::size_t> command) {
     bool const first = fast && !std::exchange(fastRefused_, true);
     fastRefused_ = fast;
     if (!first && !command) {
+        return;
+    }
+    if (char const* const why = command ? commands_.whyNot(*command) : nullptr) {
+        if (context.toasts.newest() != why) { // as long as it is read it need not be said again
+            context.toasts.add(why, render::ToastKind::News, 2.5);
+        }
         return;
     }
     CommandGroup const group = command ? commands_.info(*command).group : CommandGroup::running;

@@ -50,6 +50,8 @@ public:
     [[nodiscard]] std::size_t hintsShown() const { return parts_.hintsShown; }
     [[nodiscard]] PlacingTool const& placing() const { return parts_.placing; }
     [[nodiscard]] WireTool const& wires() const { return parts_.wires; }
+    /// The parts of the toolbox that are shown, in order.
+    [[nodiscard]] std::vector<ToolboxSlot> tools() { return parts_.shownTools(); }
     [[nodiscard]] GroupTool const& group() const { return parts_.group; }
     [[nodiscard]] Speed const& speed() const { return parts_.run.speed(); }
     [[nodiscard]] RunControl& run() { return parts_.run; }

@@ -6,8 +6,10 @@
 namespace trembler::ui {
 
 /// Widths in pixels at UI scale 1; the other cards stay clear of these.
-inline constexpr float goalCardWidth = 316;  ///< of a column beside a picture, and of the card of hints
-inline constexpr float inspectorWidth = 324; ///< and that of the card that says why
+inline constexpr float goalCardWidth = 316;     ///< of a column beside a picture, and of the card of hints
+inline constexpr float inspectorWidth = 324;    ///< and that of the card that says why
+inline constexpr float smallToolboxWidth = 236; ///< at most
+inline constexpr float largeToolboxWidth = 292; ///< at most, of a toolbox of many parts
 inline constexpr float cardGap = 16;
 inline constexpr float bottomRow = 74;    ///< height of the cards at the bottom
 inline constexpr float cornerRow = 74;    ///< height of the buttons in the top right corner
@@ -24,9 +26,9 @@ struct SidePlace {
 /// The least share of the window's width that the cards around a level leave to the scene.
 inline constexpr float stageShare = 0.7F;
 
-/// The width of the toolbox in a window of this width: beside it there is always room for the scene.
-[[nodiscard]] constexpr float toolboxWidth(float window) {
-    return std::min(236.F, (1 - stageShare) * window - 2 * cardGap);
+/// The width of the toolbox in a window of this width; `large`: it has many parts. Beside it there is always room for the scene.
+[[nodiscard]] constexpr float toolboxWidth(float window, bool large) {
+    return std::min(large ? largeToolboxWidth : smallToolboxWidth, (1 - stageShare) * window - 2 * cardGap);
 }
 
 /// The width of the goals, which lie above the scene, beside the buttons in the corner. `taken`: what else

@@ -19,6 +19,22 @@ namespace {
 /// The look of a part is an ordinary property, but files state it next to the part's title.
 constexpr std::string_view lookKey = "look";
 
+std::vector<PartGroup> readGroups(JsonNode const& node) {
+    std::vector<PartGroup> groups;
+    if (node.isList("a list of groups", partGroupNames.size())) {
+        for (std::size_t i = 0; i < node.size(); ++i) {
+            auto const group = node.element(i).choice(partGroupNames);
+            bool const again = group && std::count(groups.begin(), groups.end(), PartGroup(*group)) > 0;
+            if (again) {
+                node.element(i).complain("is stated twice", "every group once");
+            } else if (group) {
+                groups.push_back(PartGroup(*group));
+            }
+        }
+    }
+    return groups;
+}
+
 } // namespace
 
 PartDefinition readPart(Registry const& registry, std::shared_ptr<JsonDocument const> const& document) {
@@ -42,6 +58,9 @@ PartDefinition readPart(Registry const& registry, std::shared_ptr<JsonDocument c
         }
         if (auto const texts = reader.optional("texts")) {
             part.texts = readTexts(*texts, TextsOf::part);
+        }
+        if (auto const groups = reader.optional("groups")) {
+            part.groups = readGroups(*groups);
         }
         readPieces(reader, registry, part);
         NameTable* const names =

@@ -53,6 +53,13 @@ void cut(PlayParts& parts) {
     }
 }
 
+char const* whyNoWire(PlayParts const& parts) {
+    if (!hasWire(parts)) {
+        return words::noWires;
+    }
+    return parts.run.building() ? words::noWireLeft : nullptr;
+}
+
 void layWires(PlayParts& parts) {
     parts.placing.reset();
     parts.group.reset();
@@ -100,7 +107,8 @@ constexpr Command<PlayParts> toolTable[] = {
          [](PlayParts const& parts) {
              return hasWire(parts) && parts.run.building() && parts.session.wiresLeft() > 0;
          },
-     .on = [](PlayParts const& parts) { return parts.wires.laying(); }},
+     .on = [](PlayParts const& parts) { return parts.wires.laying(); },
+     .whyNot = whyNoWire},
     {.info = {.id = "hint",
               .keys = {{{SDLK_h}}},
               .icon = Icon::Hint,
