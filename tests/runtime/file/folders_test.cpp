@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <regex>
 #include <sstream>
@@ -66,15 +67,24 @@ std::vector<std::string> argumentsAt(std::string const& source, std::size_t at) 
 /// std::error_code, which is an own variable by a usual name.
 std::vector<std::string> throwingCalls(std::string const& source) {
     static std::regex const call(
-        R"((?:fs|std::filesystem)::(exists|is_directory|is_regular_file|is_symlink|is_empty|file_size|create_directory|create_directories|create_symlink|remove|remove_all|rename|copy|copy_file|absolute|canonical|weakly_canonical|relative|equivalent|last_write_time|space|status|symlink_status|read_symlink|temp_directory_path|current_path|permissions|resize_file)\()"
-        R"(|(?:fs|std::filesystem)::(?:recursive_)?directory_iterator(?: \w+)?[({])");
+        R"(::(exists|is_directory|is_regular_file|is_symlink|is_empty|file_size|create_directory|)"
+        R"(create_directories|create_symlink|remove|remove_all|rename|copy|copy_file|absolute|canonical|)"
+        R"(weakly_canonical|relative|equivalent|last_write_time|space|status|symlink_status|read_symlink|)"
+        R"(temp_directory_path|current_path|permissions|resize_file|(recursive_)?directory_iterator( \w+)?)[({])");
     static std::regex const code(R"(\s*(error|ignored|none|gone|closed|failed|unknown|missing)\s*)");
     static std::regex const known(R"(\s*(found|\))?\s*)"); // a file_status; the end of a folder
     std::vector<std::string> found;
-    for (std::sregex_iterator at(source.begin(), source.end(), call), end; at != end; ++at) {
-        auto const arguments = argumentsAt(source, static_cast<std::size_t>(at->position() + at->length()));
+    for (std::size_t at = source.find("::"); at != std::string::npos; at = source.find("::", at + 2)) {
+        std::string const before = source.substr(at < 10 ? 0 : at - 10, std::min<std::size_t>(at, 10));
+        std::smatch match;
+        if ((!before.ends_with("fs") && !before.ends_with("filesystem")) ||
+            !std::regex_search(source.begin() + static_cast<std::ptrdiff_t>(at), source.end(), match, call,
+                               std::regex_constants::match_continuous)) {
+            continue;
+        }
+        auto const arguments = argumentsAt(source, at + static_cast<std::size_t>(match.length()));
         if (!std::regex_match(arguments.back(), code) && !std::regex_match(arguments.back(), known)) {
-            found.push_back(at->str() + arguments.back() + ")");
+            found.push_back(match.str() + arguments.back() + ")");
         }
     }
     return found;
