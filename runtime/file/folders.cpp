@@ -37,9 +37,10 @@ int make(fs::path const& folder) {
 
 void makeFolder(fs::path const& folder) {
     if (int const error = make(folder)) {
-        throw OutputError(fmt::format("{}: the folder cannot be made: {}; name one in a folder that can be written",
-                                      folder.string(), std::generic_category().message(error)),
-                          folder, error);
+        throw OutputError(
+            fmt::format("{}: the folder cannot be made: {}; name one in a folder that can be written",
+                        folder.string(), std::generic_category().message(error)),
+            folder, error);
     }
 }
 

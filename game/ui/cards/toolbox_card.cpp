@@ -162,7 +162,9 @@ std::optional<std::string> drawToolbox(CommandButtons& buttons, Session const& s
     auto const& carried = look.carried;
     layout.beginCard(
         "toolbox", words::toolbox,
-        {.anchor = Anchor::TopRight, .offset = {cardGap, cornerRow}, .width = toolboxWidth(ImGui::GetIO().DisplaySize.x / theme().scale, hasLargeToolbox(session))});
+        {.anchor = Anchor::TopRight,
+         .offset = {cardGap, cornerRow},
+         .width = toolboxWidth(ImGui::GetIO().DisplaySize.x / theme().scale, hasLargeToolbox(session))});
     if (large) {
         drawToolboxFinder(buttons, slots, catalog, view, look.escape);
     }

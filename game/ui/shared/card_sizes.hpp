@@ -26,7 +26,8 @@ struct SidePlace {
 /// The least share of the window's width that the cards around a level leave to the scene.
 inline constexpr float stageShare = 0.7F;
 
-/// The width of the toolbox in a window of this width; `large`: it has many parts. Beside it there is always room for the scene.
+/// The width of the toolbox in a window of this width; `large`: it has many parts. Beside it there is always
+/// room for the scene.
 [[nodiscard]] constexpr float toolboxWidth(float window, bool large) {
     return std::min(large ? largeToolboxWidth : smallToolboxWidth, (1 - stageShare) * window - 2 * cardGap);
 }

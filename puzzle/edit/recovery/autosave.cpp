@@ -209,7 +209,8 @@ std::vector<Recovery> findRecoveries(fs::path const& folder, std::vector<Damaged
         return {};
     }
     std::size_t bytes = 0;
-    for (fs::path const& file : filesIn(folder, ".json", mostRecoveries).files) { // before any of them is moved
+    for (fs::path const& file :
+         filesIn(folder, ".json", mostRecoveries).files) { // before any of them is moved
         if (isHeld(file)) {
             continue;
         }

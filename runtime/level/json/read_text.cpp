@@ -51,7 +51,8 @@ std::string readText(std::filesystem::path const& path, std::size_t most) {
     }
     std::string text(static_cast<std::size_t>(size), '\0');
     if (int const wrong = readInto(path, text); wrong != 0) {
-        refuseFile(path.string(), fmt::format("cannot be read: {}", std::generic_category().message(wrong)), "");
+        refuseFile(path.string(), fmt::format("cannot be read: {}", std::generic_category().message(wrong)),
+                   "");
     }
     return text;
 }

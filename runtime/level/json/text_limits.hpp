@@ -1,5 +1,5 @@
-// How long the texts of files may be. The schema states the length of values; a file that exceeds one is rejected
-// with a message.
+// How long the texts of files may be. The schema states the length of values; a file that exceeds one is
+// rejected with a message.
 #pragma once
 
 #include <cstddef>

@@ -131,9 +131,9 @@ std::optional<Rect> FittedView::toolboxPlace(PlayParts const& parts) const {
     double const gap = scale_ * static_cast<double>(cardGap);
     auto const width = static_cast<float>(window_.width / scale_);
     double const right = window_.width - gap;
-    return Rect{
-        {right - scale_ * static_cast<double>(toolboxWidth(width, hasLargeToolbox(parts.session))), scale_ * static_cast<double>(cornerRow)},
-        {right, window_.height - scale_ * static_cast<double>(bottomRow)}};
+    return Rect{{right - scale_ * static_cast<double>(toolboxWidth(width, hasLargeToolbox(parts.session))),
+                 scale_ * static_cast<double>(cornerRow)},
+                {right, window_.height - scale_ * static_cast<double>(bottomRow)}};
 }
 
 FittedView::Cards FittedView::onlyGoal() const {
