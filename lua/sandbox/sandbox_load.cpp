@@ -30,6 +30,10 @@ std::optional<ScriptError> Sandbox::load(std::string_view text, std::string cons
         }
         compile(L, source_, "@" + name);
         bindCounter(L);
+        if (source_.assignsFields) {
+            lua_rawgeti(L, LUA_REGISTRYINDEX, hide_);
+            lua_call(L, 0, 0);
+        }
         chooseGlobals(L);
         lua_rawgeti(L, LUA_REGISTRYINDEX, globals_);
         lua_setfenv(L, -2);
