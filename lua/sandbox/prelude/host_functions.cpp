@@ -135,6 +135,10 @@ int Sandbox::Functions::log(lua_State* L) {
     if (sandbox.logged_ < sandbox.limits_.logLines && sandbox.onLog) {
         ++sandbox.logged_;
         sandbox.onLog(line);
+    } else if (sandbox.logged_ == sandbox.limits_.logLines && sandbox.onLog) {
+        ++sandbox.logged_; // said once
+        sandbox.onLog(fmt::format("... further lines of this frame are left out; 'log_lines' in limits is {}",
+                                  sandbox.limits_.logLines));
     }
     return 0;
 }

@@ -112,7 +112,7 @@ TEST_F(Mods, AScriptThatNeverRanIsReportedWithTheReason) {
     std::size_t reported = 0;
     for (std::size_t i = 0; i < cases.size(); ++i) {
         std::string const name = "case " + std::to_string(i);
-        std::string const never = "case-" + std::to_string(i) + ".lua:1:1: 'Dynamics <- " + name +
+        std::string const never = "case-" + std::to_string(i) + ".lua:1:22: 'Dynamics <- " + name +
                                   "' never ran, as it is applied to nothing in 2 levels and tests";
         std::string why = cases[i].why;
         if (std::size_t const place = why.find("CASE"); place != std::string::npos) {
@@ -145,7 +145,7 @@ TEST_F(Mods, AScriptThatRunsInASolutionHasRun) {
             "20}]}]",
             "\"velocity\": [5, 0]");
     Ran const none = run({"mod", "check", at("my-mod")});
-    EXPECT_TRUE(contains(none.out, "push.lua:3:1: 'Dynamics <- my-mod' never ran")) << none.out;
+    EXPECT_TRUE(contains(none.out, "push.lua:3:3: 'Dynamics <- my-mod' never ran")) << none.out;
     EXPECT_TRUE(contains(none.out, "no object names 'Dynamics <- my-mod' under \"scripts\"")) << none.out;
     EXPECT_TRUE(contains(none.out, " 1 warning,")) << none.out;
 }
