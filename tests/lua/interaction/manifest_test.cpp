@@ -95,8 +95,8 @@ TEST(Manifest, ComplainsWithFileAndLineAndASuggestion) {
     expect(with("default = 8", "default 8"), "wind.lua:8:23: '}' expected near '8'");
     expect("return interaction {\n\tname = \"a\" text = \"b\" }", "wind.lua:2:13: ");
     // LuaJIT's messages quote the script, not the counters that are put into it.
-    expect("for i = 1, 2 do do do\n  return\nend end end end", "wind.lua:3:")
-        expect("local x = nothing.at.all\n" + good, "wind.lua:1:1: there is no 'nothing'");
+    expect("for i = 1, 2 do do do\n  return\nend end end end", "wind.lua:3:");
+    expect("local x = nothing.at.all\n" + good, "wind.lua:1:1: there is no 'nothing'");
     expect("return 3", "the script returns no interaction");
     expect("x = 1\n" + good, "'x' is not declared");
     expect("while true do end", "more than its");

@@ -158,7 +158,7 @@ RuleCases casesOf(RoleInfo const& role, CallDescription const& call) {
     stated(nothingMore, false);
     stated({}, std::any_of(call.arguments.begin(), call.arguments.end(),
                            [](FieldPlace const& place) { return place.info.required; }));
-    for (std::string const extra : {"other = 1", "1", "[{}] = 1"}) {
+    for (std::string const extra : {"nothing_like_it = 1", "1", "[{}] = 1"}) {
         auto wrong = named;
         wrong.push_back(extra);
         byName(wrong, true);
