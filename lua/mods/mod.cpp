@@ -180,6 +180,16 @@ std::vector<Mod> findMods(std::span<std::string const> names, std::span<fs::path
             for (fs::path const& mod : listMods(folders)) {
                 known.push_back(mod.filename().string());
             }
+            // A folder of that name is there, but no mod may have it.
+            if (std::erase(known, name) > 0) {
+                problems.add({.file = by,
+                              .path = "",
+                              .message = fmt::format("'{}' cannot be the name of a mod", name),
+                              .expected =
+                                  "a folder, and the same \"name\" in mod.json, of at most 40 small letters, "
+                                  "digits and -"});
+                continue;
+            }
             std::string places;
             for (fs::path const& folder : folders) {
                 places += (places.empty() ? "" : ", ") + folder.string();

@@ -140,7 +140,7 @@ void addGlobals(std::string& text) {
     std::set<std::string> libraries;
     for (GlobalNote const& global : globalNotes()) {
         std::string const name(global.name);
-        if (name == "interaction" || name == "vec2") {
+        if (name == "interaction" || name == "vec2" || global.inApply) {
             continue; // written by hand below
         }
         std::string use(global.use);

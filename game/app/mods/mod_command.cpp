@@ -4,10 +4,13 @@
 #include "game/app/mods/mods.hpp"
 #include "game/app/options/file_rules.hpp"
 #include "game/app/options/outputs.hpp"
+#include "lua/component/never_applied.hpp"
 #include "lua/mods/lint.hpp"
 #include "lua/mods/mod_name.hpp"
+#include "puzzle/session/session.hpp"
 #include "runtime/file/visible_text.hpp"
 #include "runtime/level/json/suggestion.hpp"
+#include "runtime/level/read/read_level.hpp"
 
 #include <fmt/format.h>
 
@@ -15,7 +18,9 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <string_view>
+#include <utility>
 
 namespace trembler {
 namespace {
@@ -99,6 +104,74 @@ std::size_t printLint(lua::Mod const& mod, std::size_t levels) {
     return count;
 }
 
+/// Adds why a script is not applied in a level: of the level as it begins, and with each recorded solution,
+/// the reason that comes nearest. Nothing for a level that cannot be built, which verifying it has reported.
+void addWhyNeverApplied(std::vector<std::pair<std::string, std::string>>& reasons, GameData const& gameData,
+                        lua::Script const& script, fs::path const& path) {
+    std::optional<lua::NeverApplied> nearest;
+    try {
+        LevelFile const level = readLevel(gameData.registry, JsonDocument::load(path));
+        WorldOptions options;
+        options.detail = level.detail;
+        for (std::size_t i = 0; i <= level.solutions.size(); ++i) {
+            Session session(gameData.registry, gameData.parts, level, options);
+            if (i > 0) {
+                session.load(level.solutions[i - 1]);
+            }
+            lua::NeverApplied const one = lua::whyNeverApplied(script, session.world());
+            if (!nearest || one.held > nearest->held) {
+                nearest = one;
+            }
+        }
+    } catch (std::exception const&) {
+        nearest.reset();
+    }
+    if (nearest) {
+        reasons.emplace_back(path.filename().string(), nearest->why);
+    }
+}
+
+/// Prints a warning for each script of the mod that no level and no test has applied to anything, and why;
+/// returns their number.
+std::size_t printNeverApplied(GameData const& gameData, lua::Mod const& mod,
+                              std::vector<fs::path> const& levels) {
+    std::size_t count = 0;
+    for (auto const& live : gameData.scripts->all()) {
+        if (live->mod() != mod.name || levels.empty() || gameData.scriptLog->everApplied(live->name())) {
+            continue;
+        }
+        std::vector<std::pair<std::string, std::string>> reasons;
+        for (fs::path const& level : levels) {
+            addWhyNeverApplied(reasons, gameData, live->script(), level);
+        }
+        constexpr std::size_t most = 3;
+        bool const alike = std::all_of(reasons.begin(), reasons.end(),
+                                       [&](auto const& one) { return one.second == reasons.front().second; });
+        std::string why;
+        for (std::size_t i = 0; i < reasons.size() && i < (alike ? 1 : most); ++i) {
+            why += fmt::format("{}{}{}", why.empty() ? ": " : "; ",
+                               alike ? std::string() : "in " + reasons[i].first + " ", reasons[i].second);
+        }
+        if (!alike && reasons.size() > most) {
+            why += fmt::format("; and so on in {} more", reasons.size() - most);
+        }
+        std::cout << visible(
+                         "warning: " +
+                         live->script()
+                             .manifest
+                             .problem(
+                                 "name",
+                                 fmt::format(
+                                     "'{}' never ran, as it is applied to nothing in {} levels and tests{}",
+                                     live->name(), levels.size(), why),
+                                 "a level or a test in which it is applied")
+                             .print())
+                  << "\n";
+        ++count;
+    }
+    return count;
+}
+
 int checkMod(ModArguments const& arguments) {
     std::vector<std::string> known;
     std::error_code error;
@@ -119,7 +192,7 @@ int checkMod(ModArguments const& arguments) {
         std::vector<fs::path> const found = levelsOf(part);
         levels.insert(levels.end(), found.begin(), found.end());
     }
-    std::size_t const warnings = printLint(*mod, levels.size());
+    std::size_t warnings = printLint(*mod, levels.size());
     bool good = true;
     for (fs::path const& level : levels) {
         std::vector<std::string> const failures = verifyWithScripts(gameData, level);
@@ -131,6 +204,7 @@ int checkMod(ModArguments const& arguments) {
         }
         good = good && failures.empty();
     }
+    warnings += printNeverApplied(gameData, *mod, levels);
     std::cout << visible(fmt::format("{}: {}, {} levels and tests, {}, {}", name,
                                      counted(mod->interactions.size(), "interaction"), levels.size(),
                                      counted(warnings, "warning"), good ? "all good" : "not good"))
