@@ -7,6 +7,7 @@
 #include "runtime/trace/event.hpp"
 #include "runtime/world/world.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -88,6 +89,7 @@ private:
     void lookAtMagnets(World const& world);
     void remember(World const& world);
 
+    std::size_t most_;
     std::vector<Mark> marks_;
     std::map<Key, std::uint64_t> latest_; // frame of the last such thing, marked or not
     std::map<std::string, bool> blown_;   // fuses

@@ -166,7 +166,7 @@ void solids(IconPen const& pen) {
     pen.block(0.06F, -0.70F, 0.84F, 0.80F);
 }
 
-void grid(IconPen const& pen) {
+void gridLines(IconPen const& pen) {
     for (float const x : std::array{-0.72F, 0.12F}) {
         for (float const y : std::array{-0.72F, 0.12F}) {
             pen.block(x, y, x + 0.60F, y + 0.60F);
@@ -185,7 +185,7 @@ void drawGroupSign(IconPen const& pen, Icon icon) {
     case Icon::Solids:
         return solids(pen);
     case Icon::Grid:
-        return grid(pen);
+        return gridLines(pen);
     default:
         return;
     }

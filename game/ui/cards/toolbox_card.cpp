@@ -23,9 +23,8 @@ constexpr float tallWindow = 700;      ///< with room for rows of buttons below 
 
 /// What the card has beside its tiles, pixels at UI scale 1.
 constexpr float smallRest = 200; ///< title, hint, the button that puts all parts back
-constexpr float largeRest = 208; ///< title, search, groups, that button
+constexpr float largeRest = 222; ///< title, search, groups, that button
 constexpr float wireRow = 56;
-constexpr float iconRow = 12; ///< less, as both buttons are in one row of icons
 
 /// Shows the part's description while the mouse rests on its tile: left of the toolbox, whose other tiles
 /// stay in sight.
@@ -184,7 +183,7 @@ std::optional<std::string> drawToolbox(CommandButtons& buttons, Session const& s
     auto const rows = static_cast<float>((shown.size() + grid.columns - 1) / grid.columns);
     float const rest = large ? largeRest : smallRest;
     bool const low = large && screen < scaled(tallWindow);
-    float const more = low ? -iconRow : wires > 0 ? wireRow : 0;
+    float const more = wires > 0 && !low ? wireRow : 0; // in a low window one row has both buttons
     float const without = screen - scaled(cornerRow + bottomRow + rest + more);
     bool const handRow = !slots.empty() && without > tile + scaled(handRowHeight) && !low;
     float const room = without - (handRow ? scaled(handRowHeight) : 0);
@@ -211,7 +210,9 @@ std::optional<std::string> drawToolbox(CommandButtons& buttons, Session const& s
     if (low) {
         drawIconRow(buttons, wires > 0);
     } else if (wires > 0) {
-        std::string const label = words::wiresLeft(session.wiresLeft());
+        std::string const key = buttons.keyOf("wire");
+        std::string const label =
+            words::wiresLeft(session.wiresLeft()) + (large && !key.empty() ? " (" + key + ")" : "");
         buttons.big("wire", {.label = label.c_str(),
                              .look = look.laying ? ButtonLook::Primary : ButtonLook::Quiet,
                              .width = -1});

@@ -3,6 +3,7 @@
 #include "puzzle/edit/tree/tree_access.hpp"
 #include "runtime/file/file_calls.hpp"
 #include "runtime/file/folder_files.hpp"
+#include "runtime/file/folders.hpp"
 #include "runtime/file/output_file.hpp"
 
 #include <fmt/format.h>

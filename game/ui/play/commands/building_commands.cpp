@@ -331,7 +331,7 @@ constexpr Command<PlayParts> buildingTable[] = {
              return partAtHand(parts) && parts.run.building() && !parts.placing.carried();
          },
      .whyNot = [](PlayParts const& parts) -> char const* {
-         return parts.run.building() ? words::nothingSelected : nullptr;
+         return parts.run.building() ? words::selectFirst : nullptr;
      }},
 };
 

@@ -49,7 +49,8 @@ Pointer KeyPointer::instead(Pointer const& mouse, render::Camera const& camera, 
         active_ = false;
     }
     bool const before = held_;
-    bool const began = held && !std::exchange(keyDown_, held) && ours;
+    bool const wasDown = std::exchange(keyDown_, held);
+    bool const began = held && !wasDown && ours;
     held_ = active_ && held && (before || began);
     if (!active_) {
         return mouse;
