@@ -137,7 +137,7 @@ std::optional<std::size_t> DropDown::drawEntries(EditParts& parts, std::string c
             chosen = shown[row];
         }
         parts.context.layout.item(item + entry.id);
-        if (moved && row == marked_) {
+        if (moved && row == marked_ && !ImGui::IsItemVisible()) {
             ImGui::SetScrollHereY();
         }
         if (!entry.tip.empty() && ImGui::IsItemHovered()) {
