@@ -95,6 +95,7 @@ void Sandbox::finishTurn(std::optional<ScriptError>& failed) {
         if (!stopped_.empty() && failed->message.find(stopped_) == std::string::npos) {
             failed->message = stopped_; // the script has replaced the error
         } else if (stopped_.empty()) {
+            failed->traceback.clear(); // of where a script caught it and was stopped again
             failed->message =
                 refusedDeep_
                     ? fmt::format("{}{}", refusedAt_, tooDeep)

@@ -17,7 +17,7 @@ namespace {
 
 using nlohmann::json;
 
-json levelWith(json const& properties) {
+json levelOfOne(json const& properties) {
     json level = json::parse(R"({"version": 2, "title": "Matter", "world": {"bounds": [-2, -2, 4, 4]},
         "objects": [{"name": "thing", "at": [0, 0],
                      "properties": {"shape": [{"form": "box", "width": 1, "height": 1}]}}]})");
@@ -35,18 +35,18 @@ std::vector<Diagnostic> problemsOf(json const& level) {
 TEST(Matter, OfAnotherKindThanTheObjectIsNamed) {
     for (char const* const solid :
          {"steel", "iron", "copper", "wood", "glass", "rubber", "stone", "plastic", "brick", "gold"}) {
-        EXPECT_TRUE(problemsOf(levelWith({{"material", solid}})).empty()) << solid;
-        auto const found = problemsOf(levelWith({{"material", solid}, {"liquid", true}}));
+        EXPECT_TRUE(problemsOf(levelOfOne({{"material", solid}})).empty()) << solid;
+        auto const found = problemsOf(levelOfOne({{"material", solid}, {"liquid", true}}));
         ASSERT_EQ(found.size(), 1U) << solid;
         EXPECT_EQ(found.front().path, "/objects/0/properties/material");
         EXPECT_NE(found.front().message.find("'thing' is a body of liquid"), std::string::npos);
     }
-    EXPECT_TRUE(problemsOf(levelWith({{"material", "water"}, {"liquid", true}})).empty());
-    EXPECT_TRUE(problemsOf(levelWith({{"liquid", true}, {"density", 900}})).empty());
+    EXPECT_TRUE(problemsOf(levelOfOne({{"material", "water"}, {"liquid", true}})).empty());
+    EXPECT_TRUE(problemsOf(levelOfOne({{"liquid", true}, {"density", 900}})).empty());
     for (json const& more : {json::object(), json{{"fixed", true}}, json{{"density", 500}}}) {
         json properties = more;
         properties["material"] = "water";
-        auto const found = problemsOf(levelWith(properties));
+        auto const found = problemsOf(levelOfOne(properties));
         ASSERT_EQ(found.size(), 1U) << properties;
         EXPECT_EQ(found.front().path, "/objects/0/properties/material");
         EXPECT_GT(found.front().line, 0U);
@@ -57,11 +57,11 @@ TEST(Matter, OfAnotherKindThanTheObjectIsNamed) {
 
 TEST(Matter, OfAnObjectWithItsOwnAppearanceIsMeant) {
     json const drawing = json::parse(R"({"body": false, "shapes": [{"form": "circle", "radius": 0.1}]})");
-    EXPECT_TRUE(problemsOf(levelWith({{"material", "water"}, {"drawing", drawing}})).empty());
+    EXPECT_TRUE(problemsOf(levelOfOne({{"material", "water"}, {"drawing", drawing}})).empty());
 }
 
 TEST(Matter, IsNamedByProblemsVerifyAndRun) {
-    json const level = levelWith({{"material", "water"}});
+    json const level = levelOfOne({{"material", "water"}});
     auto const document = JsonDocument::parse(level.dump(1), "level.json");
     std::string const expected = "'thing' is a solid body, but its material is water";
     auto const doubts = doubtsAbout(edit::editData().registry, edit::editData().parts,

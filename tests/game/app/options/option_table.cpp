@@ -16,15 +16,15 @@ namespace {
 namespace fs = std::filesystem;
 
 /// What options take that are neither numbers nor files to write, by name.
-struct Words {
+struct OptionWords {
     std::vector<std::string> right;
     std::vector<std::string> wrong; ///< beyond what is wrong for any option; none: see `whyNot`
     std::string whyNot{};           ///< why no wrong value is known before the work
 };
 
-std::map<std::string, Words> const& wordsByOption() {
+std::map<std::string, OptionWords> const& wordsByOption() {
     static std::string const mods = TREMBLER_SOURCE_DIR "/mods";
-    static std::map<std::string, Words> const table{
+    static std::map<std::string, OptionWords> const table{
         {"--detail",
          {{"dynamics=chipmunk", "electricity=single-cable"},
           {"dynamics", "=", "dynamics=", "=box2d", "dynamics=warp", "dynamic=chipmunk",
