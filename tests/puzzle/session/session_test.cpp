@@ -165,6 +165,11 @@ TEST_F(SessionTest, UndoGoesBackAThousandChanges) {
     }
     EXPECT_EQ(undone, Session::mostUndo);
     EXPECT_EQ(pond->placed().size(), 1U) << "its placing is forgotten";
+    std::size_t redone = 0;
+    while (pond->redo()) {
+        ++redone;
+    }
+    EXPECT_EQ(redone, Session::mostUndo);
 }
 
 } // namespace
