@@ -14,13 +14,15 @@ void FirstPaths::add(std::filesystem::path path) {
 
 FolderFiles filesIn(std::filesystem::path const& folder, std::string_view extension, std::size_t most) {
     FolderFiles found;
+    std::error_code error;
     FirstPaths first(most);
-    for (std::filesystem::directory_iterator at(folder, found.error), end; !found.error && at != end;
-         at.increment(found.error)) {
+    for (std::filesystem::directory_iterator at(folder, error), end; !error && at != end;
+         at.increment(error)) {
         if (at->path().extension() == extension) {
             first.add(at->path());
         }
     }
+    found.error = error;
     found.files = first.sorted();
     found.leftOut = first.leftOut();
     return found;

@@ -3,6 +3,7 @@
 #include "runtime/file/file_calls.hpp"
 #include "runtime/file/output_file.hpp"
 
+#include <climits>
 #include <fmt/format.h>
 
 #include <cerrno>
@@ -36,7 +37,8 @@ int make(fs::path const& folder) {
 } // namespace
 
 void makeFolder(fs::path const& folder) {
-    if (int const error = make(folder)) {
+    // The system refuses longer ones anyway; this keeps the recursion short.
+    if (int const error = folder.native().size() < PATH_MAX ? make(folder) : ENAMETOOLONG) {
         throw OutputError(
             fmt::format("{}: the folder cannot be made: {}; name one in a folder that can be written",
                         folder.string(), std::generic_category().message(error)),

@@ -3,6 +3,7 @@
 #include "runtime/file/file_calls.hpp"
 #include "runtime/file/folder_lock.hpp"
 #include "runtime/level/json/json_document.hpp"
+#include "runtime/level/json/limits.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -47,11 +48,40 @@ void removeLeftovers(fs::path const& folder) {
     }
 }
 
+/// Accepts what JsonDocument accepts of nesting: what is deeper cannot be copied or written without deep
+/// recursion.
+class ShallowJson final : public nlohmann::json::json_sax_t {
+public:
+    bool null() override { return true; }
+    bool boolean(bool) override { return true; }
+    bool number_integer(number_integer_t) override { return true; }
+    bool number_unsigned(number_unsigned_t) override { return true; }
+    bool number_float(number_float_t, string_t const&) override { return true; }
+    bool string(string_t&) override { return true; }
+    bool binary(binary_t&) override { return true; }
+    bool start_object(std::size_t) override { return ++depth_ <= limits::depth; }
+    bool key(string_t&) override { return true; }
+    bool end_object() override { return --depth_, true; }
+    bool start_array(std::size_t) override { return ++depth_ <= limits::depth; }
+    bool end_array() override { return --depth_, true; }
+    bool parse_error(std::size_t, std::string const&, nlohmann::json::exception const&) override {
+        return false;
+    }
+
+private:
+    std::size_t depth_ = 0;
+};
+
 } // namespace
 
 bool isWholeJson(std::string_view text) {
+    constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF"; // some editors write one
+    if (text.starts_with(byteOrderMark)) {
+        text.remove_prefix(byteOrderMark.size());
+    }
     std::size_t const begin = text.find_first_not_of(" \t\r\n");
-    return begin != std::string_view::npos && text[begin] == '{' && nlohmann::json::accept(text);
+    ShallowJson check;
+    return begin != std::string_view::npos && text[begin] == '{' && nlohmann::json::sax_parse(text, &check);
 }
 
 KeptFile::KeptFile(fs::path const& file, IsWhole whole) : file_(fileBehind(file)), whole_(std::move(whole)) {}
@@ -131,8 +161,14 @@ fs::path KeptFile::moveAside() const {
             if (errno == EEXIST) {
                 continue;
             }
+            int const error = errno;
+            std::error_code unknown;
+            fs::file_type const kind = fs::symlink_status(aside, unknown).type();
+            if (error == ENAMETOOLONG || kind == fs::file_type::none || kind == fs::file_type::unknown) {
+                throw OutputError(file_, error);
+            }
             // No hard links here. Nobody else takes the name: the folder is locked.
-            if (kindOf(aside) != fs::file_type::not_found) {
+            if (kind != fs::file_type::not_found) {
                 continue;
             }
             if (fileCalls().rename(file_.c_str(), aside.c_str()) != 0) {
@@ -143,7 +179,11 @@ fs::path KeptFile::moveAside() const {
             fileCalls().unlink(aside.c_str());
             throw OutputError(file_, error);
         }
-        synchroniseFolder(folderOfFile(file_));
+        try {
+            synchroniseFolder(folderOfFile(file_));
+        } catch (
+            OutputError const&) { // it is aside; at worst the storage brings it back, and it is moved again
+        }
         return aside;
     }
 }
@@ -201,6 +241,9 @@ void KeptFile::keepAsLast(std::string const& present) const {
     if (fileCalls().rename(beside.c_str(), last.c_str()) != 0) {
         int const error = errno;
         fileCalls().unlink(beside.c_str());
+        if (error == ENAMETOOLONG) { // the longest names leave no room for a last good one
+            return;
+        }
         throw OutputError(last, error);
     }
     // If both were the same file already, the system has left both names.
@@ -210,6 +253,15 @@ void KeptFile::keepAsLast(std::string const& present) const {
 void KeptFile::remove() const {
     fs::path const folder = folderOfFile(file_);
     FolderLock const lock(folder);
+    if (kindOf(file_) == fs::file_type::regular) { // what is damaged or cannot be read is not ours to delete
+        try {
+            if (KeptText const found = look(); found.damaged && !found.damaged->gone) {
+                static_cast<void>(moveAside());
+            }
+        } catch (InputError const& error) {
+            throw OutputError(error.diagnostics().front().print());
+        }
+    }
     // The last good one first: without the file it would be taken for it.
     for (fs::path const& path : {lastGood(), file_}) {
         if (fileCalls().unlink(path.c_str()) != 0 && errno != ENOENT && errno != ENOTDIR) {

@@ -90,6 +90,7 @@ GameApp::~GameApp() {
 }
 
 void GameApp::keepAtOnce() {
+    screen_->keep();
     context_.profile.finish();
     context_.builds.finish();
     context_.pending.finish();
@@ -156,6 +157,9 @@ void GameApp::openFreePlay() {
             context_.toasts.add(notWritten(Owned::level, error), render::ToastKind::Trouble, 10);
             return;
         }
+    } catch (std::exception const& error) {
+        context_.toasts.add(shownError(error), render::ToastKind::Trouble, 10);
+        return;
     }
     tryOpen(file);
 }
@@ -194,6 +198,7 @@ void GameApp::quit() {
     keepAtOnce();
     bool const lost =
         context_.profile.unwritten() || context_.builds.unwritten() || context_.pending.waiting() > 0;
+    warned_ = warned_ && lost;
     if (lost && !std::exchange(warned_, true)) {
         menu_.close();
         context_.toasts.add(text("kept.quit_again"), render::ToastKind::Trouble, 10);

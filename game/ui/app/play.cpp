@@ -8,6 +8,7 @@
 #include "game/ui/shared/kept/user_folders.hpp"
 #include "game/ui/shared/shown_faults.hpp"
 #include "puzzle/checks/checked_level.hpp"
+#include "runtime/file/folders.hpp"
 #include "runtime/level/json/diagnostic.hpp"
 #include "runtime/level/read/read_level.hpp"
 
@@ -122,8 +123,7 @@ int playWithoutDisplay(GameData const& gameData, PlayOptions const& options, std
     fs::path const picture = options.picture.empty()
                                  ? options.pictures / ("trembler-" + file.stem().string() + ".png")
                                  : options.picture;
-    std::error_code ignored; // errors are ignored here: writing the picture reports them
-    fs::create_directories(options.pictures, ignored);
+    makeFolder(options.pictures);
     writePicture(gameData, session, picture, out);
     return solved ? 0 : 1;
 }
@@ -159,8 +159,11 @@ int playInWindow(GameData const& gameData, PlayOptions const& options) {
     while (loop.turn()) {
     }
     app.keepAtOnce();
-    if (auto const& why = app.context().profile.unwritten()) { // the window is about to be gone
-        std::cerr << why->what() << std::endl;
+    // The window is about to be gone.
+    for (auto const& why : {app.context().profile.unwritten(), app.context().builds.unwritten()}) {
+        if (why) {
+            std::cerr << why->what() << std::endl;
+        }
     }
     return 0;
 }

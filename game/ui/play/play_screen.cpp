@@ -245,9 +245,13 @@ void PlayScreen::pictureComplete() {
     parts_.film.take([this] { return parts_.context.window.readPixels(); }, parts_.run.stepped());
 }
 
+void PlayScreen::keep() {
+    parts_.keepBuild(BuildKeeper::delay);
+}
+
 void PlayScreen::leave() {
     passKeysToCard(false);
-    parts_.keepBuild(BuildKeeper::delay);
+    keep();
     parts_.audio.leave();
     parts_.film.end();
 }

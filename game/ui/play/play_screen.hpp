@@ -29,6 +29,7 @@ public:
     void draw() override;
     /// Adds the picture to the film, or keeps it by itself, if the player has asked for that.
     void pictureComplete() override;
+    void keep() override;
     void leave() override;
     [[nodiscard]] CommandSet& commands() override { return commands_; }
     [[nodiscard]] std::span<Gesture const> gestures() const override;

@@ -139,11 +139,11 @@ void Profile::write() {
     };
     try {
         KeptFile(file_, isWholeProfile).change(added);
+        chosen_.clear();
         unwritten_.reset();
     } catch (OutputError const& error) {
         unwritten_ = error;
     }
-    chosen_.clear();
 }
 
 void Profile::pass(double seconds) {
