@@ -247,7 +247,7 @@ char const* hintLabel(PlayParts const& parts) {
     if (total == 0 || !parts.run.building()) {
         return nullptr;
     }
-    if (parts.hintsShown == 0 || parts.hintsFolded) {
+    if (parts.hintsShown == 0 || parts.hintsFolded || parts.hintsHidden) {
         return words::hint;
     }
     return parts.hintsShown < total ? words::nextHint : words::foldHints;
@@ -311,6 +311,8 @@ std::optional<std::size_t> drawPlayCards(PlayParts& parts, CommandSet const& com
         parts.timeline.shown() && (parts.timeline.probes().choosing() || parts.whatIf->active());
     bool const goal =
         beside.goal && !parts.goalAside && !(choosing && beside.narrow); // the card of plots takes its room
+    parts.hintsHidden = parts.run.building() && parts.hintsShown > 0 && !parts.hintsFolded &&
+                        !parts.placing.carried() && !parts.group.dragging() && !(beside.hints && goal);
     if (goal) {
         drawGoals(parts, buttons);
     }

@@ -278,6 +278,15 @@ void PlayParts::restart() {
 
 void PlayParts::showHint() {
     std::size_t const total = said.hints().size();
+    if (hintsHidden) { // what hides it has been read
+        inspector.close();
+        why.close();
+        if (components.open()) {
+            components.toggle();
+        }
+        modsPanel.setOpen(false);
+        return;
+    }
     if (hintsShown > 0 && hintsFolded) {
         hintsFolded = false;
         return;

@@ -107,6 +107,7 @@ struct PlayParts {
     std::size_t hintsShown = 0;    ///< for which the player has asked
     std::size_t hintAt = 0;        ///< the one that is shown, from 0
     bool hintsFolded = false;      ///< none is shown at present
+    bool hintsHidden = false;      ///< other cards have left no room for the one that would be shown
     std::optional<bool> storyOpen; ///< the player's choice, see GoalCardLook
     bool fitWanted = false;        ///< the view is to show everything beside all cards, see FittedView
     float besideCorner = 0; ///< width of what else stands beside the buttons in the corner, at UI scale 1

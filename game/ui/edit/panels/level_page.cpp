@@ -98,6 +98,8 @@ std::optional<int> countField(EditParts& parts, std::string const& item, double 
     }
     ImGui::SameLine(0, gap);
     if (smallButton(parts, "∞", item + " unlimited", unlimited ? words::limitedTip : words::unlimitedTip)) {
+        // A change of its own: it does not go on with that of the field that was used before.
+        parts.widget = {parts.document.newGesture(), edit::Gesture::Next::replaces};
         wanted = unlimited ? 1 : unlimitedCount;
     }
     return wanted;

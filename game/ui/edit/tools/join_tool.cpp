@@ -74,6 +74,10 @@ void JoinTool::release(EditParts& parts) {
     if (parts.tool == Tool::wire && isClick(parts)) {
         return; // the next click ends it
     }
+    if (parts.pointer.overCard || !parts.pointer.inside) { // nothing lies there, not even the world
+        cancel();
+        return;
+    }
     finish(parts);
 }
 

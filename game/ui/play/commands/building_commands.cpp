@@ -114,10 +114,15 @@ char const* whyNoGroups(PlayParts const& parts) {
     return parts.run.building() ? words::allInSight : nullptr;
 }
 
-/// The toolbox comes back if the inspector or an answer lies in its place.
+/// The toolbox comes back if a panel has its place, in a small window.
 void showToolbox(PlayParts& parts) {
-    parts.inspector.close();
-    parts.why.close();
+    if (parts.context.layout.card("toolbox")) {
+        return;
+    }
+    if (parts.components.open()) {
+        parts.components.toggle();
+    }
+    parts.modsPanel.setOpen(false);
 }
 
 void findPart(PlayParts& parts) {

@@ -18,7 +18,8 @@ void openMenu(PlayParts& parts) {
 }
 
 /// Ends one thing: moving the view by keys, the use of the scissors, the carrying or choice of parts, the
-/// inspector, the selection, the computing of a what-if, the what-if. If there is none of these, opens the
+/// inspector, the selection, the computing of a what-if, the what-if, a search in the
+/// toolbox. If there is none of these, opens the
 /// menu.
 void back(PlayParts& parts) {
     if (std::exchange(parts.movesView, false)) {
@@ -42,6 +43,8 @@ void back(PlayParts& parts) {
         parts.whatIf->stop();
     } else if (parts.whatIf->active()) {
         parts.whatIf->end();
+    } else if (parts.run.building() && !parts.toolbox.sought().empty()) {
+        parts.toolbox.seek({});
     } else {
         parts.request = request::OpenMenu{MenuPage::main};
     }
