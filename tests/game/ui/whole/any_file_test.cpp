@@ -1,5 +1,5 @@
 // The window with random files of each kind of which it shows something: it opens, says what is wrong, and
-// goes on. TREMBLER_FUZZ=170 makes a thousand of each kind.
+// goes on. TREMBLER_FUZZ=350 makes a thousand of each kind.
 #include "game/ui/edit/edit_screen.hpp"
 #include "game/ui/shared/shown_faults.hpp"
 #include "tests/game/ui/player.hpp"
