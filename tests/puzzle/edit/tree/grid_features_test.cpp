@@ -82,8 +82,8 @@ std::vector<Vec2> cornersOf(Json const& entry) {
     };
     for (Json const& piece : entry["properties"]["shape"]) {
         if (piece["form"] == "box") {
-            double const x = piece["width"].get<double>() / 2;
-            double const y = piece["height"].get<double>() / 2;
+            double const x = piece.value("width", 0.2) / 2;
+            double const y = piece.value("height", 0.2) / 2;
             for (Vec2 const corner : {Vec2{x, y}, Vec2{-x, y}, Vec2{-x, -y}, Vec2{x, -y}}) {
                 add(corner);
             }
@@ -105,7 +105,7 @@ TEST(GridFeatures, WhatIsOnTheGridStaysThere) {
     Draw draw(36);
     int kept = 0;
     for (int round = 0; round < 300; ++round) {
-        constexpr std::array steps{0.05, 0.1, 0.03, 0.25, 0.001};
+        constexpr std::array steps{0.05, 0.1, 0.03, 0.25, 0.02};
         double const step = steps[static_cast<std::size_t>(draw.whole(0, 4))];
         Json level{{"version", 2}, {"title", "T"}, {"objects", Json::array()}};
         std::vector<std::string> names;

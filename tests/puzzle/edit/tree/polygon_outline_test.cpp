@@ -114,7 +114,7 @@ TEST(PolygonOutline, ImpossibleCornersAreRefused) {
     EXPECT_EQ(refused(0, {-1, -1}), "");
     EXPECT_NE(refused(4, {0, 0}), "") << "there are four";
     std::vector<Vec2> const corners = outlineCorners(editData(), level, "plate");
-    Vec2 const across = corners[2] + 3 * (corners[1] - corners[0]) + 0.5 * (corners[2] - corners[1]);
+    Vec2 const across = corners[2] + (corners[1] - corners[0]) - 0.5 * (corners[2] - corners[1]);
     EXPECT_NE(refused(0, across), "") << "edges cross";
     level["editor"]["locked"] = Json::array({"plate"});
     EXPECT_NE(refused(0, {-1, -1}), "") << "it is locked";

@@ -93,7 +93,8 @@ void EveryWidget::use(std::string const& item) {
     Point const at = designer_.item(item);
     designer_.drag(at, at + Point{30, 0}, MouseButton::Left, 2);
     if (!takeBack() && designer_.shows(item)) {
-        if (choicesOf(item).empty()) { // a list that can drop down has done so already
+        // A list that can drop down has done so already.
+        if (choicesOf(item).empty() && !designer_.parts().dropDown.open()) {
             designer_.click(designer_.item(item));
             designer_.frames(1);
         }
@@ -119,7 +120,7 @@ std::vector<std::string> EveryWidget::choicesOf(std::string const& item) {
 }
 
 void EveryWidget::chooseOrType(std::string const& item) {
-    designer_.frames(2); // a list that drops down has its size then
+    designer_.frames(2);     // a list that drops down has its size then
     auto const toTop = [&] { // a long list shows its present entry first
         if (designer_.parts().dropDown.open()) {
             designer_.key(SDLK_HOME);
