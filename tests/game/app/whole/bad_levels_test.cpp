@@ -97,8 +97,10 @@ protected:
             EXPECT_EQ(ran.err, expected) << command.front() << ": " << what;
         }
 #ifndef TREMBLER_HEADLESS
+        ui::PlayOptions options;
+        options.level = file;
         std::ostringstream played; // what `play` does without a display; the window shows the words instead
-        EXPECT_THROW((void)ui::playWithoutDisplay(data, {.level = file}, played), InputError) << what;
+        EXPECT_THROW((void)ui::playWithoutDisplay(data, options, played), InputError) << what;
 #endif
         EXPECT_FALSE(verifyLevel(data, file).empty()) << what;
     }
