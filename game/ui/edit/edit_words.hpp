@@ -251,8 +251,7 @@ inline char const* const& angleStep = editWord("Angle");
 inline char const* const& radius = editWord("Radius");
 inline char const* const& jointField = editWord("Joint");
 inline char const* const& toolSettings = editWord("Drawing");
-inline char const* const& numberTip =
-    editWord("Click to type a number, Tab for the next one; drag to change it");
+inline char const* const& numberTip = editWord("Click to type a number; drag to change it");
 inline char const* const& snapTip = editWord("Snap places and angles to the grid");
 inline char const* const& readOnlyShort = editWord("read-only");
 inline char const* const& notSaved = editWord("not saved yet");

@@ -9,7 +9,7 @@ std::string_view errorsPart() {
 
 local depth, made = 0, 0
 local function enter()
-  if depth >= 40 then fail("pcall, xpcall and coroutines are nested more than 40 deep") end
+  if depth >= 40 then err("pcall, xpcall and coroutines are nested more than 40 deep") end
   local saved = depth
   depth = saved + 1
   return saved
@@ -63,7 +63,7 @@ local function unwrap(ok, ...)
 end
 local coroutine = { yield = co.yield, status = co.status }
 function coroutine.create(f)
-  if made >= 50 then fail("more than 50 coroutines in one turn") end
+  if made >= 50 then err("more than 50 coroutines in one turn") end
   made = made + 1
   return co.create(f)
 end
@@ -82,9 +82,9 @@ end
 function env.setmetatable(t, meta)
   if meta ~= nil then
     if rawget(meta, "__gc") ~= nil or rawget(meta, "__mode") ~= nil then
-      fail("there is no __gc and no __mode, as they depend on when memory is collected")
+      err("there is no __gc and no __mode, as they depend on when memory is collected")
     end
-    if rawget(meta, "__concat") ~= nil then fail("there is no __concat; write a function") end
+    if rawget(meta, "__concat") ~= nil then err("there is no __concat; write a function") end
     host.keepGarbage() -- __mode can be set later, so nothing is collected in the rest of the turn
   end
   return rawsetmetatable(t, meta)

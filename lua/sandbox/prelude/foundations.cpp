@@ -13,7 +13,7 @@ local rawsetmetatable, rawgetmetatable = raw.setmetatable, raw.getmetatable
 local rawpcall, rawxpcall, rawunpack = raw.pcall, raw.xpcall, raw.unpack
 local floor, sqrt = raw.math.floor, raw.math.sqrt
 local charge, show, plain = host.charge, host.show, host.plain
-local fail, refuse = host.fail, host.refuse -- errors with the place in the script, whoever has called
+local err, refuse = host.fail, host.refuse -- errors with the place in the script, whoever has called
 local str, tab, co = raw.string, raw.table, raw.coroutine
 local env = {}
 
@@ -23,10 +23,10 @@ local vectors, hosts = {}, {}
 
 local contents = {} -- of a read-only table, by that table
 local function readOnly(name, content, why)
-  local function keep(_, key) fail(name .. show(key) .. " cannot be changed") end
+  local function keep(_, key) err(name .. show(key) .. " cannot be changed") end
   rawsetmetatable(content, {
     __index = function(_, key)
-      fail(why and why[key] or "there is no " .. name .. show(key) .. host.suggest(key, content))
+      err(why and why[key] or "there is no " .. name .. show(key) .. host.suggest(key, content))
     end,
     __newindex = keep,
     __metatable = hosts,

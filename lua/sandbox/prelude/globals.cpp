@@ -14,12 +14,12 @@ for _, name in raw.ipairs({ "io", "os", "require", "module", "package", "dofile"
   absent[name] = "there is no '" .. name .. "': a script reads what it declares and calls functions of its resolver"
 end
 rawsetmetatable(env, { __index = function(_, key)
-  fail(absent[key] or "there is no '" .. show(key) .. "'" .. host.suggest(key, env))
+  err(absent[key] or "there is no '" .. show(key) .. "'" .. host.suggest(key, env))
 end })
 local globalMeta = {
   __index = env,
   __newindex = function(_, key)
-    fail("'" .. show(key) .. "' is not declared: write 'local " .. show(key)
+    err("'" .. show(key) .. "' is not declared: write 'local " .. show(key)
       .. "', or, for what is to last, declare it in store")
   end,
   __metatable = hosts }

@@ -54,7 +54,7 @@ local function sortedKeys(t, what)
   end
   -- Only now, and without the kind of the key: the order in which `next` finds them differs from run to run.
   if not ordered then
-    fail(what .. ": a key is an object, and only numbers, strings and booleans have an order")
+    err(what .. ": a key is an object, and only numbers, strings and booleans have an order")
   end
   sort(keys, n, keyLess)
   return keys
@@ -88,12 +88,12 @@ function env.next(t, key)
       return keys[i + 1], fieldOf(t, keys[i + 1])
     end
   end
-  fail("next: the table has no such key")
+  err("next: the table has no such key")
 end
 local function unpack(t, from, to)
   from, to = from or 1, to or #t
   if to < from then return end
-  if not (to - from < 200) then fail("unpack gives at most 200 values") end
+  if not (to - from < 200) then err("unpack gives at most 200 values") end
   return rawunpack(t, from, to)
 end
 env.unpack = unpack
@@ -105,10 +105,10 @@ function table.insert(t, ...)
     return
   end
   if type(a) ~= "number" then
-    fail("argument 'at' of table.insert is " .. host.kind(a) .. "; expected a number")
+    err("argument 'at' of table.insert is " .. host.kind(a) .. "; expected a number")
   end
-  if b == nil then fail("argument 'value' of table.insert is nil; expected a value") end
-  if not (a >= 1 and a <= n + 1 and a == floor(a)) then fail("table.insert: the place is not in the list") end
+  if b == nil then err("argument 'value' of table.insert is nil; expected a value") end
+  if not (a >= 1 and a <= n + 1 and a == floor(a)) then err("table.insert: the place is not in the list") end
   for i = n, a, -1 do t[i + 1] = t[i] end
   t[a] = b
 end
@@ -116,7 +116,7 @@ function table.remove(t, at)
   local n = #t
   at = at or n
   if n == 0 then return nil end
-  if not (at >= 1 and at <= n and at == floor(at)) then fail("table.remove: the place is not in the list") end
+  if not (at >= 1 and at <= n and at == floor(at)) then err("table.remove: the place is not in the list") end
   local value = t[at]
   for i = at, n - 1 do t[i] = t[i + 1] end
   t[n] = nil
@@ -131,11 +131,11 @@ function table.concat(t, between)
     local part = t[i]
     local kind = type(part)
     if kind ~= "string" and kind ~= "number" then
-      fail("table.concat: entry " .. i .. " is " .. host.kind(part) .. "; expected a text or a number")
+      err("table.concat: entry " .. i .. " is " .. host.kind(part) .. "; expected a text or a number")
     end
     parts[i] = part
     long = long + #text(part) + (i > 1 and #between or 0)
-    if long > longest then fail("table.concat makes at most " .. longest .. " bytes") end
+    if long > longest then err("table.concat makes at most " .. longest .. " bytes") end
   end
   return plain(tab.concat(parts, between))
 end

@@ -37,11 +37,11 @@ function string.char(...)
   for i = 1, select("#", ...) do
     if type((select(i, ...))) ~= "number" then refuse("string.char", ...) end
   end
-  if select("#", ...) > 100 then fail("string.char takes at most 100 numbers") end
+  if select("#", ...) > 100 then err("string.char takes at most 100 numbers") end
   return plain(str.char(...))
 end
 function string.rep(s, n)
-  if not (#s * n <= longest) or not (n <= longest) then fail("string.rep makes at most " .. longest .. " bytes") end
+  if not (#s * n <= longest) or not (n <= longest) then err("string.rep makes at most " .. longest .. " bytes") end
   return plain(str.rep(s, n))
 end
 function string.find(s, needle, init)
@@ -51,32 +51,32 @@ end
 -- Numbers of %d, %i and %x are converted to whole ones, of which not every machine makes the same beyond these.
 local formats = { d = "whole", i = "whole", f = "number", e = "number", g = "number", x = "whole", s = "any" }
 function string.format(form, ...)
-  if #form > 500 then fail("string.format takes a form of at most 500 bytes") end
+  if #form > 500 then err("string.format takes a form of at most 500 bytes") end
   local values, given, count = { ... }, select("#", ...), 0
   local at = 1
   while true do
     local from = str.find(form, "%", at, true)
     if from == nil then break end
     local _, stop, width, digits, letter = str.find(form, "^%%[-+ 0]*(%d*)%.?(%d*)(.)", from)
-    if letter == nil then fail("string.format: an unfinished %") end
-    if #width > 2 or #digits > 2 then fail("string.format: a width or precision above 99") end
+    if letter == nil then err("string.format: an unfinished %") end
+    if #width > 2 or #digits > 2 then err("string.format: a width or precision above 99") end
     if letter ~= "%" then
       count = count + 1
       local wanted, value = formats[letter], values[count]
-      if wanted == nil then fail("string.format has no %" .. show(letter) .. "; it has %d %i %f %e %g %x %s") end
-      if count > given then fail("string.format: value " .. count .. " is missing") end
+      if wanted == nil then err("string.format has no %" .. show(letter) .. "; it has %d %i %f %e %g %x %s") end
+      if count > given then err("string.format: value " .. count .. " is missing") end
       if wanted == "any" then
         values[count] = text(value)
       elseif type(value) ~= "number" then
-        fail("string.format: value " .. count .. " is " .. host.kind(value) .. "; expected a number")
+        err("string.format: value " .. count .. " is " .. host.kind(value) .. "; expected a number")
       elseif wanted == "whole" and not (value > -9223372036854775808 and value < 9223372036854775808) then
-        fail("string.format: value " .. count .. " is too large for %" .. letter)
+        err("string.format: value " .. count .. " is too large for %" .. letter)
       end
       charge(20)
     end
     at = stop + 1
   end
-  if count < given then fail("string.format is given " .. given .. " values; the form has " .. count) end
+  if count < given then err("string.format is given " .. given .. " values; the form has " .. count) end
   return plain(str.format(form, rawunpack(values, 1, count)))
 end
 
@@ -86,7 +86,7 @@ env.string = readOnly("string.", string, { match = patterns, gmatch = patterns, 
 -- What stands between the operands of every .. in a script: see withCountedJoins().
 do
   local right
-  local function none() fail("an operator .. without a text") end
+  local function none() err("an operator .. without a text") end
   local waiting = rawsetmetatable({}, { __metatable = hosts, __index = none, __newindex = none, __concat = function(left)
     local operand = right
     right = nil

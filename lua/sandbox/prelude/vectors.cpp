@@ -25,19 +25,19 @@ function env.vec2(x, y, ...)
   return vec2(x, y)
 end
 local function both(a, b, what)
-  if not (isVec(a) and isVec(b)) then fail("cannot " .. what .. " " .. host.kind(a) .. " and " .. host.kind(b)) end
+  if not (isVec(a) and isVec(b)) then err("cannot " .. what .. " " .. host.kind(a) .. " and " .. host.kind(b)) end
 end
 Vec2.__index = function(v, key)
   if key == "x" then return rawget(v, hiddenX) end
   if key == "y" then return rawget(v, hiddenY) end
   local method = methods[key]
-  if method == nil then fail("a vector has no '" .. show(key) .. "'; it has x, y" .. host.list(methods)) end
+  if method == nil then err("a vector has no '" .. show(key) .. "'; it has x, y" .. host.list(methods)) end
   return method
 end
 Vec2.__newindex = function(v, key, value)
-  if key ~= "x" and key ~= "y" then fail("a vector has x and y, and no '" .. show(key) .. "'") end
+  if key ~= "x" and key ~= "y" then err("a vector has x and y, and no '" .. show(key) .. "'") end
   if type(value) ~= "number" then
-    fail("'" .. key .. "' of a vector cannot be " .. host.kind(value) .. "; expected a number")
+    err("'" .. key .. "' of a vector cannot be " .. host.kind(value) .. "; expected a number")
   end
   rawset(v, key == "x" and hiddenX or hiddenY, value)
 end
@@ -47,10 +47,10 @@ Vec2.__unm = function(a) return vec2(-a.x, -a.y) end
 Vec2.__mul = function(a, b)
   if type(a) == "number" then return vec2(a * b.x, a * b.y) end
   if type(b) == "number" then return vec2(a.x * b, a.y * b) end
-  fail("a vector is multiplied by a number; for two vectors there are a:dot(b) and a:cross(b)")
+  err("a vector is multiplied by a number; for two vectors there are a:dot(b) and a:cross(b)")
 end
 Vec2.__div = function(a, b)
-  if type(b) ~= "number" or type(a) == "number" then fail("a vector is divided by a number") end
+  if type(b) ~= "number" or type(a) == "number" then err("a vector is divided by a number") end
   return vec2(a.x / b, a.y / b)
 end
 Vec2.__eq = function(a, b) return a.x == b.x and a.y == b.y end

@@ -32,6 +32,8 @@ protected:
         }
         player.key(SDLK_k);
         player.frames(2);
+        player.key(SDLK_HOME); // the timeline lies over the floor, until the player asks to see everything
+        player.frames(2);
     }
     void beginAt(std::uint64_t frame, std::uint64_t frames = 100) {
         run(frames);

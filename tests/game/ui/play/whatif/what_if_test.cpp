@@ -24,6 +24,8 @@ void lookAt(Player& player, std::uint64_t frame, std::uint64_t frames = 90) {
     }
     player.key(SDLK_k);
     player.frames(2);
+    player.key(SDLK_HOME); // the timeline lies over the floor, until the player asks to see everything
+    player.frames(2);
     player.play().timeline().seek(frame);
     player.frames(2);
 }
