@@ -85,20 +85,24 @@ TEST(Newcomer, UndoesByCtrlZBetweenTwoPictures) {
     EXPECT_TRUE(player.session().placed().empty());
 }
 
-// A part that was let go where it may not lie stuck to the pointer, and Backspace did nothing.
-TEST(Newcomer, IsRidOfAPartThatIsLetGoWhereItMayNotLie) {
+// A part that is let go where it may not lie stays in the hand with the reason; Esc puts it back, and
+// Backspace works then.
+TEST(Newcomer, KeepsAPartInHandThatIsLetGoWhereItMayNotLie) {
     Player player;
     player.open(firstContact);
     player.drag(player.item("part wooden bar"), player.at({1.7, 0.2}));
     player.frames(3);
-    EXPECT_FALSE(player.play().placing().carried());
+    EXPECT_TRUE(player.play().placing().carried());
     EXPECT_TRUE(player.session().placed().empty());
     player.look("let-go");
     std::vector<std::string> const lines = DrawnWords().lines();
     EXPECT_EQ(std::count_if(
                   lines.begin(), lines.end(),
                   [](std::string const& line) { return line.find("would overlap") != std::string::npos; }),
-              1);
+              2)
+        << "beside the part, and in the message that comes with the sound";
+    player.key(SDLK_ESCAPE);
+    EXPECT_FALSE(player.play().placing().carried());
     player.drag(player.item("part wooden bar"), player.at({-1.8, 1.6}));
     ASSERT_EQ(player.session().placed().size(), 1U);
     player.key(SDLK_BACKSPACE);
