@@ -43,8 +43,19 @@ std::optional<Solution> buildIn(std::string_view text) {
     }
 }
 
+/// Whether it has the form of a build, whatever its entries say: those that do not fit are left out later.
 bool isBuild(std::string_view text) {
-    return buildIn(text).has_value();
+    try {
+        auto const document = JsonDocument::parse(std::string(text), "build");
+        nlohmann::json const& root = document->root();
+        auto const isListOrMissing = [&](char const* key) {
+            auto const found = root.find(key);
+            return found == root.end() || found->is_array();
+        };
+        return root.is_object() && isListOrMissing("placements") && isListOrMissing("wires") && buildIn(text);
+    } catch (InputError const&) {
+        return false;
+    }
 }
 
 } // namespace
