@@ -7,6 +7,7 @@
 #include "puzzle/edit/commands/objects.hpp"
 #include "puzzle/edit/commands/own_parts.hpp"
 #include "puzzle/edit/commands/properties.hpp"
+#include "puzzle/edit/commands/shapes.hpp"
 #include "puzzle/edit/commands/solutions.hpp"
 
 namespace trembler::edit {
@@ -95,7 +96,7 @@ Command anyFurtherCommand(LevelDocument const& document, std::function<int(int)>
         return lines.empty() ? ""
                              : lines[static_cast<std::size_t>(next(static_cast<int>(lines.size())))].place;
     };
-    switch (next(22)) {
+    switch (next(23)) {
     case 0:
         return addListEntry(data, level, {one()}, "shape", "", Json());
     case 1:
@@ -133,6 +134,8 @@ Command anyFurtherCommand(LevelDocument const& document, std::function<int(int)>
         return setStep(level, index(), newStep("run", {}, {}).value());
     case 16:
         return setToolCount(level, index(), next(5));
+    case 21:
+        return moveCorner(data, level, one(), index(), point());
     default:
         return anyOfSolutions(level, next);
     }
