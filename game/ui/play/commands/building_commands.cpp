@@ -265,7 +265,7 @@ constexpr Command<PlayParts> buildingTable[] = {
      .run = takeNext<-1>,
      .available = isBuilding},
     {.info = {.id = "find-part",
-              .keys = {{withCtrl(SDLK_f), {SDLK_SLASH}, {SDLK_KP_DIVIDE}}},
+              .keys = {{withCtrl(SDLK_f), {SDLK_SLASH}}},
               .group = CommandGroup::building,
               .name = "Find a part",
               .tip = "Find a part of a large toolbox by its name",

@@ -121,7 +121,7 @@ TEST(Commands, UsualKeysStayAsTheyAre) {
                                                    {"why-before", "A"},
                                                    {"why-next", "D"},
                                                    {"wire", "W"},
-                                                   {"find-part", "Ctrl+F / Keypad /"},
+                                                   {"find-part", "Ctrl+F /"},
                                                    {"next-group", "S"},
                                                    {"previous-group", "Shift+S"},
                                                    {"hint", "H"},
