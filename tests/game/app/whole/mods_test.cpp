@@ -87,7 +87,7 @@ TEST_F(Mods, AScriptThatNeverRanIsReportedWithTheReason) {
         {"once = true", ""},
         {"pairs = { first = { \"Velocity\" }, second = { \"Fixed\" }, touching = true }", ""},
         {"pairs = { first = { \"Velocity\" }, second = { \"Fixed\" }, within = 50 }", ""},
-        {"each = { \"Charge\" }", "no object has 'Charge'"},
+        {"each = { \"Magnet on/off\" }", "no object has 'Magnet on/off'"},
         {"each = { \"Velocity\", \"Fixed\" }", "no object has 'Velocity' and 'Fixed' at once"},
         {"attached = true, each = { \"Velocity\" }", "no object names 'Dynamics <- CASE' under \"scripts\""},
         {"pairs = { first = { \"Velocity\", \"Fixed\" }, second = { \"Mass\" }, within = 1 }",
