@@ -120,6 +120,8 @@ protected:
 
 TEST_F(WhatIfChanges, AWireIsCutWithTheScissors) {
     beginAt(5);
+    player.key(SDLK_HOME); // beside the card, too
+    player.frames(2);
     World const& world = player.play().timeline().world();
     render::FactsReader const reader(world);
     render::Facts const a = reader.of(world.store().find("battery plus"));
