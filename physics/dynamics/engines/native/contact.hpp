@@ -1,0 +1,91 @@
+// Bodies and contacts as the native engine keeps them.
+#pragma once
+
+#include "physics/dynamics/core/drag.hpp"
+#include "physics/dynamics/engines/native/convex.hpp"
+
+namespace trembler::native {
+
+/// What a substep reads and changes of a body. A fixed body has inverse masses of 0.
+struct MovingState {
+    Vec2 velocity;             ///< m/s
+    double spin = 0;           ///< rad/s
+    double inverseMass = 0;    ///< 1/kg
+    double inverseInertia = 0; ///< 1/(kg m²)
+    Vec2 moved;                ///< m, since the contacts were found
+    double turned = 0;         ///< rad, likewise
+    double cosine = 1;         ///< of `turned`
+    double sine = 0;
+    Vec2 accelerated;          ///< m/s, by loads in this substep
+    double accelerates = 0;    ///< rad/s, likewise
+    Vec2 velocityBefore;       ///< m/s, at the substep's beginning
+    double spinBefore = 0;     ///< rad/s
+    Vec2 shift;                ///< m/s, that closes joints' gaps in this substep and is then forgotten
+    double twist = 0;          ///< rad/s, likewise
+
+    [[nodiscard]] Vec2 turn(Vec2 v) const { return {cosine * v.x - sine * v.y, sine * v.x + cosine * v.y}; }
+};
+
+/// What changes rarely.
+struct BodyEntry {
+    ObjectId object; ///< invalid: the slot is free
+    bool fixed = false;
+    double mass = 0;    ///< kg; of a movable body
+    double inertia = 0; ///< kg m²
+    double friction = 0;
+    double restitution = 0;
+    CollisionGroups groups;
+    Damping damping;
+    Load load;
+    Vec2 centre;      ///< m
+    double angle = 0; ///< rad
+    double thin = 0;   ///< m, radius of the largest disc in it, about
+    double extent = 0; ///< m, of its farthest point from the centre of mass
+    std::vector<Convex> pieces;
+    int joints = 0;
+    int restlessJoints = 0; ///< motors that must not fall asleep
+    double idle = 0;        ///< s, for which it has been slow
+    std::uint32_t nap = 0;  ///< names the group with which it fell asleep
+};
+
+/// A pair of pieces that are near. It lasts while they are, so that it keeps its forces.
+struct Contact {
+    std::uint64_t key = 0;
+    SlotIndex a = noSlot; ///< below b
+    SlotIndex b = noSlot;
+    Meeting meeting;
+    bool used = false;     ///< has points, and is no seam
+    bool touches = false;  ///< as reported
+    double pressure = 0;   ///< N, of all points, in the last substep: what is more is an impact
+    std::array<double, 2> force{};   ///< N, along the normal
+    std::array<double, 2> drag{};    ///< N, across it
+};
+
+/// A point of a contact while its island is solved.
+struct PointRow {
+    Vec2 armA;  ///< m, turns with a
+    Vec2 armB;
+    Vec2 reachA; ///< m, to the point of contact, when the contacts were found
+    Vec2 reachB;
+    double gap = 0;  ///< m, when the contacts were found
+    double now = 0;  ///< m, at the beginning of this substep
+    double normalMass = 0;  ///< kg
+    double tangentMass = 0; ///< kg
+    double normal = 0;      ///< N s, impulse of this substep
+    double tangent = 0;     ///< N s
+};
+
+struct ContactRow {
+    Contact* contact = nullptr;
+    SlotIndex a = noSlot;
+    SlotIndex b = noSlot;
+    Vec2 normal;
+    double friction = 0;
+    double restitution = 0;
+    bool awaits = false; ///< will bounce within this substep: must not be slowed down before
+    double struck = 0;   ///< N s, of impacts in this substep
+    int count = 0;
+    std::array<PointRow, 2> points;
+};
+
+} // namespace trembler::native

@@ -1,0 +1,534 @@
+#include "physics/dynamics/engines/native/island_solver.hpp"
+
+#include "physics/dynamics/engines/native/seams.hpp"
+#include "runtime/component/component.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace trembler::native {
+namespace {
+
+// Contacts are springs of a quarter of the substeps' rate, strongly overdamped, as in Solver2D; a higher rate is not
+// followed by the substeps.
+constexpr double contactShare = 0.25;
+constexpr double contactDamping = 10;
+// Overlapping bodies part no faster than this, m/s.
+constexpr double fastestParting = 0.5;
+// A change of velocity up to this multiple of that by loads is one by steady forces, such as friction, and not an impact:
+// the body moves with the mean of its velocities before and after.
+constexpr double steadyShare = 2.5;
+// With r the mass that rests on a body as a multiple of its own, 0.9 √r substeps hold a stack (docs/measurements).
+constexpr double stackFactor = 0.9;
+constexpr double mostSubsteps = 64;
+constexpr int leastSubsteps = 4;
+// A body may move by this share of its thinnest half, or turn by so many rad, before its contacts are found again.
+constexpr double shareOfThin = 0.5;
+constexpr double widestTurn = 0.15;
+// Of these intervals a step has at most so many.
+constexpr int mostIntervals = 64;
+// Impacts at their exact times, of a small island; in a large one bodies bounce up to a substep early.
+constexpr int mostHits = 16;
+constexpr std::size_t smallIsland = 128;
+
+struct Softness {
+    double bias = 0; // 1/s
+    double mass = 1;
+    double impulse = 0;
+};
+
+// A damped spring by implicit Euler as a soft constraint: E. Catto, "Soft Constraints", GDC 2011.
+Softness softness(double h) {
+    double const omega = 2 * pi * contactShare / h;
+    double const a1 = 2 * contactDamping + h * omega;
+    double const a2 = h * omega * a1;
+    double const a3 = 1 / (1 + a2);
+    return {omega / a1, a2 * a3, a3};
+}
+
+} // namespace
+
+IslandSolver::IslandSolver(NativeEngine& engine, Island const& island, DynamicsSettings const& settings)
+    : engine_(engine), island_(island), settings_(settings) {}
+
+int IslandSolver::demand(double duration) const {
+    if (!engine_.choosesSubsteps_) {
+        return std::max(1, settings_.substeps);
+    }
+    if (island_.joints.empty() && island_.contacts.empty()) {
+        return 1; // constant forces are integrated exactly
+    }
+    double most = 0;
+    for (std::uint32_t const i : island_.contacts) {
+        Contact const& contact = engine_.contacts_[i];
+        double const pressure = contact.force[0] + contact.force[1];
+        for (SlotIndex const slot : {contact.a, contact.b}) {
+            double const weight = length(engine_.bodies_[slot].load.force);
+            if (weight > 0 && pressure > most * weight) {
+                most = pressure / weight;
+            }
+        }
+    }
+    double wanted = std::max<double>(leastSubsteps, stackFactor * std::sqrt(most));
+    if (!island_.joints.empty()) {
+        wanted = std::max<double>(wanted, settings_.substeps);
+    }
+    double const share = std::min(1.0, duration / frameDuration);
+    return std::max(1, static_cast<int>(std::ceil(share * std::min(wanted, mostSubsteps))));
+}
+
+// --- intervals ------------------------------------------------------------------------------------------------
+
+double IslandSolver::safeTime(Contact const& contact, double remaining) const {
+    BodyEntry const& a = engine_.bodies_[contact.a];
+    BodyEntry const& b = engine_.bodies_[contact.b];
+    MovingState const& stateA = stateOf(contact.a);
+    MovingState const& stateB = stateOf(contact.b);
+    Vec2 const velocity = stateB.velocity - stateA.velocity;
+    double const turning = std::abs(stateA.spin) * a.extent + std::abs(stateB.spin) * b.extent;
+    double const thin = shareOfThin * std::min(a.fixed ? 1e9 : a.thin, b.fixed ? 1e9 : b.thin);
+    double const speed = length(velocity) + turning;
+    if (speed * remaining <= thin) {
+        return remaining;
+    }
+    // Conservative advancement: the pieces cannot meet before they have covered the gap between them.
+    Convex const& pieceA = a.pieces[pieceOf(firstOf(contact.key))];
+    Convex const& pieceB = b.pieces[pieceOf(secondOf(contact.key))];
+    Pose const& poseA = engine_.poses_[contact.a];
+    Pose const& poseB = engine_.poses_[contact.b];
+    double const near = std::min(thin, 1e-3);
+    double time = 0;
+    for (int i = 0; i < 100 && time < remaining; ++i) {
+        double const angleA = a.angle + time * stateA.spin;
+        double const angleB = b.angle + time * stateB.spin;
+        Pose const atA{{}, std::cos(angleA), std::sin(angleA)};
+        Pose const atB{poseB.at - poseA.at + time * velocity, std::cos(angleB), std::sin(angleB)};
+        double const gap = gapBetween(pieceA, atA, pieceB, atB);
+        if (gap <= near) {
+            break;
+        }
+        time += std::max(gap - near / 2, near / 4) / speed;
+    }
+    return std::min(remaining, std::max(time, thin / speed));
+}
+
+double IslandSolver::interval(double remaining) const {
+    double time = remaining;
+    double spin = 0;
+    for (SlotIndex const slot : island_.bodies) {
+        spin = std::max(spin, std::abs(stateOf(slot).spin));
+    }
+    if (spin * time > widestTurn && !island_.contacts.empty()) {
+        bool round = true; // discs may turn by any angle
+        for (SlotIndex const slot : island_.bodies) {
+            BodyEntry const& body = engine_.bodies_[slot];
+            round = round && (std::abs(stateOf(slot).spin) * time <= widestTurn ||
+                              (body.pieces.size() == 1 && body.pieces[0].disc() &&
+                               lengthSquared(body.pieces[0].corners[0]) < 1e-18));
+        }
+        if (!round) {
+            time = std::max(widestTurn / spin, time / mostIntervals);
+        }
+    }
+    for (std::uint32_t const i : island_.contacts) {
+        time = safeTime(engine_.contacts_[i], time);
+    }
+    return std::max(time, std::min(remaining, 1e-7));
+}
+
+void IslandSolver::findContacts(double time) {
+    for (SlotIndex const slot : island_.bodies) {
+        engine_.setPose(slot);
+    }
+    for (std::uint32_t const i : island_.contacts) {
+        Contact& contact = engine_.contacts_[i];
+        engine_.meetOne(contact, 1e-3 + engine_.reach(contact.a, time) + engine_.reach(contact.b, time));
+    }
+    seams_.clear();
+    for (std::uint32_t const i : island_.contacts) {
+        seams_.push_back(&engine_.contacts_[i]);
+    }
+    leaveOutSeams(seams_, engine_.bodies_, engine_.poses_);
+}
+
+// --- a step ---------------------------------------------------------------------------------------------------
+
+void IslandSolver::run(double duration) {
+    int const substeps = demand(duration);
+    h_ = duration / substeps;
+    int hits = island_.bodies.size() > smallIsland ? 0 : mostHits;
+    int intervals = mostIntervals;
+    double left = duration;
+    for (bool first = true; left > 1e-12 * duration; first = false) {
+        double const span = --intervals > 0 ? interval(left) : left;
+        if (!first || span < left) {
+            findContacts(span);
+        }
+        int const parts = std::max(1, static_cast<int>(std::ceil(span / h_ - 1e-9)));
+        makeRows();
+        for (int i = 0; i < parts; ++i) {
+            double rest = span / parts;
+            while (rest > 0) {
+                Hit const hit = firstHit(rest);
+                if (hit.any && hits > 0) {
+                    --hits;
+                    if (hit.after > 0) {
+                        substep(hit.after);
+                    }
+                    rest = hit.after < rest ? rest - hit.after : 0;
+                    bounce(0);
+                    continue;
+                }
+                if (hit.any) {
+                    bounce(rest);
+                }
+                substep(rest);
+                rest = 0;
+            }
+        }
+        left = span < left ? left - span : 0;
+    }
+    for (SlotIndex const slot : island_.bodies) {
+        engine_.setPose(slot);
+    }
+}
+
+void IslandSolver::makeRows() {
+    rows_.clear();
+    for (SlotIndex const slot : island_.bodies) {
+        MovingState& state = stateOf(slot);
+        state.moved = {};
+        state.turned = 0;
+        state.cosine = 1;
+        state.sine = 0;
+    }
+    for (std::uint32_t const i : island_.contacts) {
+        Contact& contact = engine_.contacts_[i];
+        if (!contact.used) {
+            continue;
+        }
+        BodyEntry const& a = engine_.bodies_[contact.a];
+        BodyEntry const& b = engine_.bodies_[contact.b];
+        double const radiusA = a.pieces[pieceOf(firstOf(contact.key))].radius;
+        double const radiusB = b.pieces[pieceOf(secondOf(contact.key))].radius;
+        MovingState const& stateA = stateOf(contact.a);
+        MovingState const& stateB = stateOf(contact.b);
+        ContactRow& row = rows_.emplace_back();
+        row.contact = &contact;
+        row.a = contact.a;
+        row.b = contact.b;
+        row.normal = contact.meeting.normal;
+        row.friction = std::sqrt(a.friction * b.friction);
+        row.restitution = std::max(a.restitution, b.restitution);
+        row.count = contact.meeting.count;
+        double const mass = stateA.inverseMass + stateB.inverseMass;
+        Vec2 const across = perpendicular(row.normal);
+        for (std::size_t n = 0; n < static_cast<std::size_t>(row.count); ++n) {
+            MeetingPoint const& found = contact.meeting.points[n];
+            PointRow& point = row.points[n];
+            point.armA = found.armA;
+            point.armB = found.armB;
+            // Both arms end in the same point, halfway between the surfaces, so that angular momentum is kept.
+            point.reachA = found.armA + (radiusA + found.separation / 2) * row.normal;
+            point.reachB = found.armB - (radiusB + found.separation / 2) * row.normal;
+            point.gap = found.separation;
+            double const normalA = cross(point.reachA, row.normal);
+            double const normalB = cross(point.reachB, row.normal);
+            double const acrossA = cross(point.reachA, across);
+            double const acrossB = cross(point.reachB, across);
+            point.normalMass = 1 / (mass + stateA.inverseInertia * normalA * normalA +
+                                    stateB.inverseInertia * normalB * normalB);
+            point.tangentMass = 1 / (mass + stateA.inverseInertia * acrossA * acrossA +
+                                     stateB.inverseInertia * acrossB * acrossB);
+        }
+    }
+}
+
+double IslandSolver::gapOf(ContactRow const& row, PointRow const& point) const {
+    MovingState const& a = stateOf(row.a);
+    MovingState const& b = stateOf(row.b);
+    Vec2 const way = b.moved - a.moved + (b.turn(point.armB) - point.armB) - (a.turn(point.armA) - point.armA);
+    return point.gap + dot(row.normal, way);
+}
+
+double IslandSolver::normalSpeed(ContactRow const& row, PointRow const& point) const {
+    MovingState const& a = stateOf(row.a);
+    MovingState const& b = stateOf(row.b);
+    Vec2 const relative = b.velocity + b.spin * perpendicular(point.reachB) - a.velocity -
+                          a.spin * perpendicular(point.reachA);
+    return dot(row.normal, relative);
+}
+
+void IslandSolver::push(ContactRow const& row, PointRow const& point, Vec2 impulse) {
+    MovingState& a = stateOf(row.a);
+    MovingState& b = stateOf(row.b);
+    a.velocity -= a.inverseMass * impulse;
+    a.spin -= a.inverseInertia * cross(point.reachA, impulse);
+    b.velocity += b.inverseMass * impulse;
+    b.spin += b.inverseInertia * cross(point.reachB, impulse);
+}
+
+// --- a substep ------------------------------------------------------------------------------------------------
+
+void IslandSolver::accelerate(SlotIndex slot, double h) {
+    MovingState& state = stateOf(slot);
+    BodyEntry const& entry = engine_.bodies_[slot];
+    state.velocityBefore = state.velocity;
+    state.spinBefore = state.spin;
+    Twist const load{h * entry.load.force, h * entry.load.torque};
+    Twist push = load;
+    if (slot < engine_.dragged_.size() && engine_.dragged_[slot].drag.any()) {
+        Twist const now{entry.mass * state.velocity, entry.inertia * state.spin};
+        Twist const drag = engine_.dragged_[slot].before(entry.mass, entry.inertia, now, load, h);
+        push = {push.linear + drag.linear, push.angular + drag.angular};
+    }
+    state.velocity += state.inverseMass * push.linear;
+    state.spin += state.inverseInertia * push.angular;
+    state.velocity *= 1 / (1 + h * entry.damping.linear); // implicit Euler
+    state.spin *= 1 / (1 + h * entry.damping.angular);
+    state.accelerated = state.velocity - state.velocityBefore;
+    state.accelerates = state.spin - state.spinBefore;
+}
+
+void IslandSolver::startRows(double h) {
+    for (ContactRow& row : rows_) {
+        Vec2 const across = perpendicular(row.normal);
+        for (std::size_t n = 0; n < static_cast<std::size_t>(row.count); ++n) {
+            PointRow& point = row.points[n];
+            point.now = gapOf(row, point);
+            point.normal = row.awaits ? 0 : h * row.contact->force[n];
+            point.tangent = row.awaits ? 0 : h * row.contact->drag[n];
+            if (point.normal != 0 || point.tangent != 0) {
+                push(row, point, point.normal * row.normal + point.tangent * across);
+            }
+        }
+    }
+}
+
+void IslandSolver::solveContacts(double h, bool bias) {
+    Softness const soft = softness(h);
+    auto const solve = [&](ContactRow& row) {
+        if (row.awaits) {
+            return;
+        }
+        Vec2 const across = perpendicular(row.normal);
+        for (std::size_t n = 0; n < static_cast<std::size_t>(row.count); ++n) {
+            PointRow& point = row.points[n];
+            double const gap = bias ? point.now : gapOf(row, point);
+            double target = 0;
+            double mass = 1;
+            double yield = 0;
+            if (gap > 0) {
+                target = gap / h; // it may just reach the other surface
+            } else if (bias) {
+                target = std::max(soft.bias * gap, -fastestParting);
+                mass = soft.mass;
+                yield = soft.impulse;
+            }
+            double const change =
+                -point.normalMass * mass * (normalSpeed(row, point) + target) - yield * point.normal;
+            double const sum = std::max(point.normal + change, 0.0);
+            double const delta = sum - point.normal;
+            point.normal = sum;
+            if (delta != 0) {
+                push(row, point, delta * row.normal);
+            }
+        }
+        for (std::size_t n = 0; n < static_cast<std::size_t>(row.count); ++n) {
+            PointRow& point = row.points[n];
+            double const most = row.friction * point.normal;
+            if (most == 0 && point.tangent == 0) {
+                continue;
+            }
+            MovingState const& a = stateOf(row.a);
+            MovingState const& b = stateOf(row.b);
+            Vec2 const relative = b.velocity + b.spin * perpendicular(point.reachB) - a.velocity -
+                                  a.spin * perpendicular(point.reachA);
+            double const sum =
+                std::clamp(point.tangent - point.tangentMass * dot(across, relative), -most, most);
+            double const delta = sum - point.tangent;
+            point.tangent = sum;
+            push(row, point, delta * across);
+        }
+    };
+    if (bias) {
+        for (ContactRow& row : rows_) {
+            solve(row);
+        }
+    } else {
+        for (auto row = rows_.rbegin(); row != rows_.rend(); ++row) {
+            solve(*row);
+        }
+    }
+}
+
+void IslandSolver::solveJoints() {
+    for (SlotIndex const slot : island_.joints) {
+        JointRows& joint = *engine_.joints_[slot].rows;
+        std::span<SlotIndex const> const slots = joint.slots();
+        for (JointRow& row : joint.rows()) {
+            if (row.mass == 0) {
+                continue;
+            }
+            double speed = 0;
+            double correction = 0;
+            for (int i = 0; i < row.count; ++i) {
+                RowTerm const& term = row.terms[static_cast<std::size_t>(i)];
+                SlotIndex const body = slots[static_cast<std::size_t>(term.body)];
+                if (body != noSlot) {
+                    MovingState const& state = stateOf(body);
+                    speed += dot(term.linear, state.velocity) + term.angular * state.spin;
+                    correction += dot(term.linear, state.shift) + term.angular * state.twist;
+                }
+            }
+            double const impulse = row.solve(speed);
+            double const shove = row.corrects ? row.solveCorrection(correction) : 0;
+            for (int i = 0; i < row.count; ++i) {
+                RowTerm const& term = row.terms[static_cast<std::size_t>(i)];
+                SlotIndex const body = slots[static_cast<std::size_t>(term.body)];
+                if (body != noSlot) {
+                    MovingState& state = stateOf(body);
+                    state.velocity += state.inverseMass * impulse * term.linear;
+                    state.spin += state.inverseInertia * impulse * term.angular;
+                    state.shift += state.inverseMass * shove * term.linear;
+                    state.twist += state.inverseInertia * shove * term.angular;
+                }
+            }
+        }
+    }
+}
+
+void IslandSolver::startJoints(double h) {
+    for (SlotIndex const slot : island_.joints) {
+        JointEntry& joint = engine_.joints_[slot];
+        std::span<SlotIndex const> const slots = joint.rows->slots();
+        std::array<JointPose, 4> poses;
+        for (std::size_t i = 0; i < slots.size(); ++i) {
+            if (slots[i] != noSlot) {
+                BodyEntry const& body = engine_.bodies_[slots[i]];
+                poses[i] = {body.centre, body.angle, stateOf(slots[i]).inverseMass, stateOf(slots[i]).inverseInertia};
+            }
+        }
+        joint.rows->prepare({poses.data(), slots.size()}, h);
+        double const stretch = joint.last > 0 ? h / joint.last : 1;
+        joint.last = h;
+        for (JointRow& row : joint.rows->rows()) {
+            row.impulse = std::clamp(stretch * row.impulse, row.low, row.high);
+            for (int i = 0; i < row.count; ++i) {
+                RowTerm const& term = row.terms[static_cast<std::size_t>(i)];
+                SlotIndex const body = slots[static_cast<std::size_t>(term.body)];
+                if (body != noSlot) {
+                    MovingState& state = stateOf(body);
+                    state.velocity += state.inverseMass * row.impulse * term.linear;
+                    state.spin += state.inverseInertia * row.impulse * term.angular;
+                }
+            }
+        }
+    }
+}
+
+void IslandSolver::move(double h) {
+    for (SlotIndex const slot : island_.bodies) {
+        MovingState& state = stateOf(slot);
+        BodyEntry& entry = engine_.bodies_[slot];
+        Vec2 drift = state.velocity;
+        double turn = state.spin;
+        Vec2 const change = state.velocity - state.velocityBefore;
+        if (entry.joints == 0 && lengthSquared(change) <=
+                                     steadyShare * steadyShare * lengthSquared(state.accelerated) + 1e-24) {
+            drift -= change / 2;
+            turn -= (state.spin - state.spinBefore) / 2;
+        }
+        Vec2 const way = h * (drift + state.shift);
+        double const angle = h * (turn + state.twist);
+        entry.centre += way;
+        entry.angle += angle;
+        state.moved += way;
+        state.turned += angle;
+        // The rotation by an angle from the tangent of its half, by two terms of its series.
+        double const q = angle / 2 * (1 + angle * angle / 12);
+        double const unit = 1 / (1 + q * q);
+        double const c = (1 - q * q) * unit;
+        double const s = 2 * q * unit;
+        double const cosine = state.cosine * c - state.sine * s;
+        state.sine = state.sine * c + state.cosine * s;
+        state.cosine = cosine;
+        if (!isFinite(entry.centre) || !std::isfinite(entry.angle)) {
+            throw EngineFailure("a body's place or speed is no finite number");
+        }
+    }
+}
+
+void IslandSolver::substep(double h) {
+    for (SlotIndex const slot : island_.bodies) {
+        accelerate(slot, h);
+        stateOf(slot).shift = {};
+        stateOf(slot).twist = 0;
+    }
+    bool const joined = !island_.joints.empty();
+    if (joined) {
+        startJoints(h);
+    }
+    startRows(h);
+    int const rounds = joined ? std::max(1, settings_.velocityIterations) : 1;
+    for (int i = 0; i < rounds; ++i) {
+        if (joined) {
+            solveJoints();
+        }
+        solveContacts(h, true);
+    }
+    move(h);
+    solveContacts(h, false);
+    for (SlotIndex const slot : island_.bodies) {
+        if (slot < engine_.dragged_.size() && engine_.dragged_[slot].drag.any()) {
+            engine_.dragged_[slot].after({engine_.bodies_[slot].mass * stateOf(slot).velocity,
+                                          engine_.bodies_[slot].inertia * stateOf(slot).spin});
+        }
+    }
+    noteForces(h);
+    since_ += h;
+}
+
+void IslandSolver::noteForces(double h) {
+    for (ContactRow& row : rows_) {
+        double sum = 0;
+        for (std::size_t n = 0; n < static_cast<std::size_t>(row.count); ++n) {
+            row.contact->force[n] = row.points[n].normal / h;
+            row.contact->drag[n] = row.points[n].tangent / h;
+            sum += row.points[n].normal;
+        }
+        double const more = sum - h * row.contact->pressure;
+        row.contact->pressure = sum / h;
+        noteImpact(row, more);
+        row.awaits = false;
+    }
+    for (SlotIndex const slot : island_.joints) {
+        JointEntry& joint = engine_.joints_[slot];
+        joint.force += joint.rows->impulseOnA() / engine_.duration_;
+    }
+}
+
+void IslandSolver::noteImpact(ContactRow const& row, double impulse) {
+    MovingState const& a = stateOf(row.a);
+    MovingState const& b = stateOf(row.b);
+    if (!engine_.impactsWanted_ || !(impulse * (a.inverseMass + b.inverseMass) > faintestImpact)) {
+        return;
+    }
+    ObjectId const objectA = engine_.bodies_[row.a].object;
+    ObjectId const objectB = engine_.bodies_[row.b].object;
+    bool const swapped = objectB < objectA;
+    PointRow const& point = row.points[0];
+    Impact impact;
+    impact.a = swapped ? objectB : objectA;
+    impact.b = swapped ? objectA : objectB;
+    impact.normal = swapped ? -row.normal : row.normal;
+    impact.point = engine_.bodies_[row.a].centre + point.reachA;
+    if (row.count > 1) {
+        impact.point += 0.5 * (row.points[1].reachA - point.reachA);
+    }
+    impact.impulse = impulse;
+    impact.since = since_;
+    engine_.impacts_.push_back(impact);
+}
+
+} // namespace trembler::native
