@@ -6,6 +6,9 @@
 
 namespace trembler::native {
 
+/// How contacts bear a body in a substep.
+enum class Borne : std::uint8_t { not_at_all, sliding, held };
+
 /// What a substep reads and changes of a body. A fixed body has inverse masses of 0.
 struct MovingState {
     Vec2 velocity;             ///< m/s
@@ -16,12 +19,14 @@ struct MovingState {
     double turned = 0;         ///< rad, likewise
     double cosine = 1;         ///< of `turned`
     double sine = 0;
-    Vec2 accelerated;          ///< m/s, by loads in this substep
-    double accelerates = 0;    ///< rad/s, likewise
-    Vec2 velocityBefore;       ///< m/s, at the substep's beginning
-    double spinBefore = 0;     ///< rad/s
-    Vec2 shift;                ///< m/s, that closes joints' gaps in this substep and is then forgotten
-    double twist = 0;          ///< rad/s, likewise
+    Vec2 accelerated;       ///< m/s, by loads in this substep
+    double accelerates = 0; ///< rad/s, likewise
+    Borne borne = Borne::not_at_all;
+    Vec2 slidesAlong;      ///< unit, if it slides in one direction
+    Vec2 velocityBefore;   ///< m/s, at the substep's beginning
+    double spinBefore = 0; ///< rad/s
+    Vec2 shift;            ///< m/s, that closes joints' gaps in this substep and is then forgotten
+    double twist = 0;      ///< rad/s, likewise
 
     [[nodiscard]] Vec2 turn(Vec2 v) const { return {cosine * v.x - sine * v.y, sine * v.x + cosine * v.y}; }
 };
@@ -37,8 +42,8 @@ struct BodyEntry {
     CollisionGroups groups;
     Damping damping;
     Load load;
-    Vec2 centre;      ///< m
-    double angle = 0; ///< rad
+    Vec2 centre;       ///< m
+    double angle = 0;  ///< rad
     double thin = 0;   ///< m, radius of the largest disc in it, about
     double extent = 0; ///< m, of its farthest point from the centre of mass
     std::vector<Convex> pieces;
@@ -54,24 +59,26 @@ struct Contact {
     SlotIndex a = noSlot; ///< below b
     SlotIndex b = noSlot;
     Meeting meeting;
-    bool used = false;     ///< has points, and is no seam
-    bool touches = false;  ///< as reported
-    double pressure = 0;   ///< N, of all points, in the last substep: what is more is an impact
-    std::array<double, 2> force{};   ///< N, along the normal
-    std::array<double, 2> drag{};    ///< N, across it
+    bool used = false;              ///< has points, and is no seam
+    bool touches = false;           ///< as reported
+    double pressure = 0;            ///< N, of all points, in the last substep: what is more is an impact
+    std::array<double, 2> force{};  ///< N, along the normal
+    std::array<double, 2> drag{};   ///< N, across it
+    std::array<double, 2> steady{}; ///< N, along the normal, mean of the last frames
 };
 
 /// A point of a contact while its island is solved.
 struct PointRow {
-    Vec2 armA;  ///< m, turns with a
+    Vec2 armA; ///< m, turns with a
     Vec2 armB;
     Vec2 reachA; ///< m, to the point of contact, when the contacts were found
     Vec2 reachB;
-    double gap = 0;  ///< m, when the contacts were found
-    double now = 0;  ///< m, at the beginning of this substep
+    double gap = 0;         ///< m, when the contacts were found
+    double now = 0;         ///< m, at the beginning of this substep
     double normalMass = 0;  ///< kg
     double tangentMass = 0; ///< kg
     double normal = 0;      ///< N s, impulse of this substep
+    double steady = 0;      ///< N s, at which its spring is not compressed
     double tangent = 0;     ///< N s
 };
 
@@ -85,6 +92,7 @@ struct ContactRow {
     bool awaits = false; ///< will bounce within this substep: must not be slowed down before
     double struck = 0;   ///< N s, of impacts in this substep
     int count = 0;
+    double coupling = 0; ///< 1/kg: of the points' normal impulses
     std::array<PointRow, 2> points;
 };
 

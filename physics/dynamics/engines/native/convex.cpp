@@ -7,11 +7,17 @@
 namespace trembler::native {
 namespace {
 
+// The second piece's side is the reference only if the first one is farther beyond it by this, m.
+constexpr double clearlyFarther = 1e-4;
+// Pieces closer than this, m, meet with their sides even if two corners are nearest.
+constexpr double clearlyApart = 2e-4;
+
 constexpr std::size_t at(int i) {
     return static_cast<std::size_t>(i);
 }
 
-// The pieces as the other sees them: corners and normals turned into the world's directions, about its own centre.
+// The pieces as the other sees them: corners and normals turned into the world's directions, about its own
+// centre.
 struct Turned {
     int count = 0;
     double radius = 0;
@@ -116,7 +122,8 @@ Meeting meetDisc(Turned const& a, Turned const& b, Vec2 shiftB, double margin) {
             return {};
         }
         Vec2 const normal = distance > 0 ? way / distance : a.normals[at(i)];
-        return single(normal, nearest, centre, shiftB, distance - radii, 0x100U | corner << 1U | (u < 0 ? 0U : 1U));
+        return single(normal, nearest, centre, shiftB, distance - radii,
+                      0x100U | corner << 1U | (u < 0 ? 0U : 1U));
     }
     Vec2 const normal = a.normals[at(i)];
     Meeting meeting =
@@ -137,8 +144,7 @@ Meeting meetSides(Turned const& a, Turned const& b, Vec2 shiftB, double margin) 
         return {};
     }
     // A side of a is preferred unless that of b is clearly farther, so that the reference rarely changes.
-    double const clearly = 1e-4 * (1e-3 + std::abs(ofA.separation)) + 1e-9;
-    bool const flip = ofB.separation > ofA.separation + clearly;
+    bool const flip = ofB.separation > ofA.separation + clearlyFarther;
     Turned const& first = flip ? b : a;
     Turned const& second = flip ? a : b;
     int const side = flip ? ofB.side : ofA.side;
@@ -158,9 +164,9 @@ Meeting meetSides(Turned const& a, Turned const& b, Vec2 shiftB, double margin) 
     Vec2 const v2 = first.corners[at(first.after(side))];
     Vec2 const w1 = second.corners[at(incident)];
     Vec2 const w2 = second.corners[at(second.after(incident))];
-    std::uint32_t const sides = static_cast<std::uint32_t>(side) << 4U | static_cast<std::uint32_t>(incident) << 8U |
-                                (flip ? 0x1000U : 0U);
-    if (separated > 1e-9) {
+    std::uint32_t const sides = static_cast<std::uint32_t>(side) << 4U |
+                                static_cast<std::uint32_t>(incident) << 8U | (flip ? 0x1000U : 0U);
+    if (separated > clearlyApart) {
         // Two corners may be nearest: then neither side's direction is that of the distance.
         Nearest const near = nearestOnSegments(v1, v2 - v1, w1, w2 - w1);
         bool const endOfFirst = near.s <= 0 || near.s >= 1;
@@ -176,7 +182,8 @@ Meeting meetSides(Turned const& a, Turned const& b, Vec2 shiftB, double margin) 
             // Exactly beyond the side's end the direction is the side's, and the clipped points are better.
             if (distance > separated * (1 + 1e-6) + 1e-12) {
                 Vec2 const direction = way / distance;
-                std::uint32_t const feature = 0x8000U | sides | (near.s <= 0 ? 1U : 0U) | (near.t <= 0 ? 2U : 0U);
+                std::uint32_t const feature =
+                    0x8000U | sides | (near.s <= 0 ? 1U : 0U) | (near.t <= 0 ? 2U : 0U);
                 return flip ? single(-direction, q, p, shiftB, distance - radii, feature)
                             : single(direction, p, q, shiftB, distance - radii, feature);
             }

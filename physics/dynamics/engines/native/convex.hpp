@@ -1,5 +1,5 @@
-// Convex pieces of bodies, and where two of them meet: in double precision, relative to one of the bodies, so that
-// neither the distance from the world's origin nor a skin around shapes falsifies a contact.
+// Convex pieces of bodies, and where two of them meet: in double precision, relative to one of the bodies, so
+// that neither the distance from the world's origin nor a skin around shapes falsifies a contact.
 #pragma once
 
 #include "physics/dynamics/core/engine.hpp"
@@ -10,13 +10,15 @@
 
 namespace trembler::native {
 
-/// A convex polygon with a rounded outline: a disc has one corner, a capsule two, a polygon 3 to 8 and no radius.
+/// A convex polygon with a rounded outline: a disc has one corner, a capsule two, a polygon 3 to 8 and no
+/// radius.
 struct Convex {
     int count = 0;
-    double radius = 0;                            ///< m
-    std::array<Vec2, maximumCorners> corners{};   ///< m, anticlockwise, from the body's centre of mass, in its frame
-    std::array<Vec2, maximumCorners> normals{};   ///< outwards, of the side from corner i to corner i + 1
-    std::uint32_t piece = 0;                      ///< index within the body
+    double radius = 0; ///< m
+    std::array<Vec2, maximumCorners>
+        corners{}; ///< m, anticlockwise, from the body's centre of mass, in its frame
+    std::array<Vec2, maximumCorners> normals{}; ///< outwards, of the side from corner i to corner i + 1
+    std::uint32_t piece = 0;                    ///< index within the body
 
     [[nodiscard]] bool disc() const { return count == 1; }
 };
@@ -37,14 +39,14 @@ struct Pose {
 
 /// One point of a contact. Arms are from the centres of mass, in the world's directions.
 struct MeetingPoint {
-    Vec2 armA;               ///< m, to the point that turns with a
-    Vec2 armB;               ///< m
-    double separation = 0;   ///< m, along the normal; negative: overlap
+    Vec2 armA;                 ///< m, to the point that turns with a
+    Vec2 armB;                 ///< m
+    double separation = 0;     ///< m, along the normal; negative: overlap
     std::uint32_t feature = 0; ///< which corners and sides meet, to recognise the point in the next frame
 };
 
-/// The contact of two pieces. On a rounded piece the point of contact lies `radius` beyond the arm's end, in the
-/// direction of the normal: that part does not turn with the body, so that a ball may roll by any angle.
+/// The contact of two pieces. On a rounded piece the point of contact lies `radius` beyond the arm's end, in
+/// the direction of the normal: that part does not turn with the body, so that a ball may roll by any angle.
 struct Meeting {
     Vec2 normal; ///< unit, from a to b
     std::array<MeetingPoint, 2> points{};
@@ -53,13 +55,14 @@ struct Meeting {
     bool sideOfB = false;
 };
 
-/// Where the pieces meet if they are at most `margin` (m) apart. `a` and `b` relative to the same origin, which should
-/// be near. Method: separating axes of the sides, the nearer feature's side as reference, the other's side clipped to it
-/// (as in E. Catto, "Contact manifolds", GDC 2007); two corners that are nearest meet in a single point.
+/// Where the pieces meet if they are at most `margin` (m) apart. `a` and `b` relative to the same origin,
+/// which should be near. Method: separating axes of the sides, the nearer feature's side as reference, the
+/// other's side clipped to it (as in E. Catto, "Contact manifolds", GDC 2007); two corners that are nearest
+/// meet in a single point.
 [[nodiscard]] Meeting meet(Convex const& a, Pose const& atA, Convex const& b, Pose const& atB, double margin);
 
-/// A lower bound, in m, of the distance of two pieces, which is exact where sides are nearest and not positive exactly if
-/// the pieces overlap.
+/// A lower bound, in m, of the distance of two pieces, which is exact where sides are nearest and not
+/// positive exactly if the pieces overlap.
 [[nodiscard]] double gapBetween(Convex const& a, Pose const& atA, Convex const& b, Pose const& atB);
 
 } // namespace trembler::native

@@ -1,8 +1,9 @@
 // Impacts with restitution, at the times at which they occur.
 //
-// Bodies that are about to meet are moved until they do, and then bounce. So the height to which a ball rises does not
-// depend on the substeps. Impacts that occur at the same time, as in Newton's cradle, are computed one after the other, the
-// fastest first, each as that of two bodies, until no two approach each other (the "sequential" law of impacts).
+// Bodies that are about to meet are moved until they do, and then bounce. So the height to which a ball rises
+// does not depend on the substeps. Impacts that occur at the same time, as in Newton's cradle, are computed
+// one after the other, the fastest first, each as that of two bodies, until no two approach each other (the
+// "sequential" law of impacts).
 #include "physics/dynamics/engines/native/island_solver.hpp"
 
 #include <algorithm>
@@ -14,8 +15,8 @@ namespace {
 
 // Surfaces this close (m) meet.
 constexpr double meetingGap = 1e-6;
-// Bodies that rest on each other approach by the speed that their loads give them in a substep; this multiple of it is an
-// impact, and less is none: so a bouncing body comes to rest.
+// Bodies that rest on each other approach by the speed that their loads give them in a substep; this multiple
+// of it is an impact, and less is none: so a bouncing body comes to rest.
 constexpr double gainsOfImpact = 2;
 constexpr double faintest = 1e-9; // m/s
 // Impacts of one moment, for each contact of the island.

@@ -62,12 +62,16 @@ void Islands::sort(std::span<std::uint8_t const> awake, std::span<SlotIndex cons
             }
         }
     }
-    auto const groupOfSlot = [&](SlotIndex slot) { return slot == noSlot ? noGroup : groupOf_[rootOf(slot)]; };
+    auto const groupOfSlot = [&](SlotIndex slot) {
+        return slot == noSlot ? noGroup : groupOf_[rootOf(slot)];
+    };
     auto const bodies = sortedByGroup(
         parents_.size(), groups,
-        [&](std::size_t i) { return awake[i] != 0 ? groupOfSlot(static_cast<SlotIndex>(i)) : noGroup; }, bodies_);
+        [&](std::size_t i) { return awake[i] != 0 ? groupOfSlot(static_cast<SlotIndex>(i)) : noGroup; },
+        bodies_);
     auto const contacts = sortedByGroup(
-        slotOfContact.size(), groups, [&](std::size_t i) { return groupOfSlot(slotOfContact[i]); }, contacts_);
+        slotOfContact.size(), groups, [&](std::size_t i) { return groupOfSlot(slotOfContact[i]); },
+        contacts_);
     auto const joints = sortedByGroup(
         slotOfJoint.size(), groups, [&](std::size_t i) { return groupOfSlot(slotOfJoint[i]); }, joints_);
     groups_.resize(groups);

@@ -35,8 +35,8 @@ public:
     void clear(std::size_t slots);
     void unite(SlotIndex a, SlotIndex b);
     [[nodiscard]] SlotIndex rootOf(SlotIndex slot);
-    /// Sorts bodies, contacts and joints by groups. `rootOfContact` and `rootOfJoint` state a slot of the group of each, or
-    /// noSlot for those that belong to none.
+    /// Sorts bodies, contacts and joints by groups. `rootOfContact` and `rootOfJoint` state a slot of the
+    /// group of each, or noSlot for those that belong to none.
     void sort(std::span<std::uint8_t const> awake, std::span<SlotIndex const> slotOfContact,
               std::span<SlotIndex const> slotOfJoint);
     [[nodiscard]] std::span<Island> groups() { return groups_; }

@@ -9,20 +9,24 @@
 namespace trembler::native {
 namespace {
 
-// Contacts are springs of a quarter of the substeps' rate, strongly overdamped, as in Solver2D; a higher rate is not
-// followed by the substeps.
+// Contacts are springs of a quarter of the substeps' rate, strongly overdamped, as in Solver2D; a higher rate
+// is not followed by the substeps.
 constexpr double contactShare = 0.25;
 constexpr double contactDamping = 10;
 // Overlapping bodies part no faster than this, m/s.
 constexpr double fastestParting = 0.5;
-// A change of velocity up to this multiple of that by loads is one by steady forces, such as friction, and not an impact:
-// the body moves with the mean of its velocities before and after.
+// A change of velocity up to this multiple of that by loads is one by steady forces, such as friction, and
+// not an impact. Per step, the share by which the force at which a spring is not compressed follows the
+// present one: slowly, so that it adds no energy, but bodies at rest do not sink in.
+constexpr double steadyRate = 0.05;
 constexpr double steadyShare = 2.5;
-// With r the mass that rests on a body as a multiple of its own, 0.9 √r substeps hold a stack (docs/measurements).
+// With r the mass that rests on a body as a multiple of its own, 0.9 √r substeps hold a stack
+// (docs/measurements).
 constexpr double stackFactor = 0.9;
 constexpr double mostSubsteps = 64;
 constexpr int leastSubsteps = 4;
-// A body may move by this share of its thinnest half, or turn by so many rad, before its contacts are found again.
+// A body may move by this share of its thinnest half, or turn by so many rad, before its contacts are found
+// again.
 constexpr double shareOfThin = 0.5;
 constexpr double widestTurn = 0.15;
 // Of these intervals a step has at most so many.
@@ -31,19 +35,11 @@ constexpr int mostIntervals = 64;
 constexpr int mostHits = 16;
 constexpr std::size_t smallIsland = 128;
 
-struct Softness {
-    double bias = 0; // 1/s
-    double mass = 1;
-    double impulse = 0;
-};
-
 // A damped spring by implicit Euler as a soft constraint: E. Catto, "Soft Constraints", GDC 2011.
 Softness softness(double h) {
     double const omega = 2 * pi * contactShare / h;
     double const a1 = 2 * contactDamping + h * omega;
-    double const a2 = h * omega * a1;
-    double const a3 = 1 / (1 + a2);
-    return {omega / a1, a2 * a3, a3};
+    return {omega / a1, 1 / (h * omega * a1)};
 }
 
 } // namespace
@@ -77,7 +73,8 @@ int IslandSolver::demand(double duration) const {
     return std::max(1, static_cast<int>(std::ceil(share * std::min(wanted, mostSubsteps))));
 }
 
-// --- intervals ------------------------------------------------------------------------------------------------
+// --- intervals
+// ------------------------------------------------------------------------------------------------
 
 double IslandSolver::safeTime(Contact const& contact, double remaining) const {
     BodyEntry const& a = engine_.bodies_[contact.a];
@@ -151,7 +148,8 @@ void IslandSolver::findContacts(double time) {
     leaveOutSeams(seams_, engine_.bodies_, engine_.poses_);
 }
 
-// --- a step ---------------------------------------------------------------------------------------------------
+// --- a step
+// ---------------------------------------------------------------------------------------------------
 
 void IslandSolver::run(double duration) {
     int const substeps = demand(duration);
@@ -187,6 +185,12 @@ void IslandSolver::run(double duration) {
             }
         }
         left = span < left ? left - span : 0;
+    }
+
+    for (ContactRow& row : rows_) {
+        for (std::size_t n = 0; n < static_cast<std::size_t>(row.count); ++n) {
+            row.contact->steady[n] += steadyRate * (row.contact->force[n] - row.contact->steady[n]);
+        }
     }
     for (SlotIndex const slot : island_.bodies) {
         engine_.setPose(slot);
@@ -228,7 +232,8 @@ void IslandSolver::makeRows() {
             PointRow& point = row.points[n];
             point.armA = found.armA;
             point.armB = found.armB;
-            // Both arms end in the same point, halfway between the surfaces, so that angular momentum is kept.
+            // Both arms end in the same point, halfway between the surfaces, so that angular momentum is
+            // kept.
             point.reachA = found.armA + (radiusA + found.separation / 2) * row.normal;
             point.reachB = found.armB - (radiusB + found.separation / 2) * row.normal;
             point.gap = found.separation;
@@ -238,6 +243,11 @@ void IslandSolver::makeRows() {
             double const acrossB = cross(point.reachB, across);
             point.normalMass = 1 / (mass + stateA.inverseInertia * normalA * normalA +
                                     stateB.inverseInertia * normalB * normalB);
+            if (n == 1) {
+                row.coupling = mass +
+                               stateA.inverseInertia * normalA * cross(row.points[0].reachA, row.normal) +
+                               stateB.inverseInertia * normalB * cross(row.points[0].reachB, row.normal);
+            }
             point.tangentMass = 1 / (mass + stateA.inverseInertia * acrossA * acrossA +
                                      stateB.inverseInertia * acrossB * acrossB);
         }
@@ -247,15 +257,16 @@ void IslandSolver::makeRows() {
 double IslandSolver::gapOf(ContactRow const& row, PointRow const& point) const {
     MovingState const& a = stateOf(row.a);
     MovingState const& b = stateOf(row.b);
-    Vec2 const way = b.moved - a.moved + (b.turn(point.armB) - point.armB) - (a.turn(point.armA) - point.armA);
+    Vec2 const way =
+        b.moved - a.moved + (b.turn(point.armB) - point.armB) - (a.turn(point.armA) - point.armA);
     return point.gap + dot(row.normal, way);
 }
 
 double IslandSolver::normalSpeed(ContactRow const& row, PointRow const& point) const {
     MovingState const& a = stateOf(row.a);
     MovingState const& b = stateOf(row.b);
-    Vec2 const relative = b.velocity + b.spin * perpendicular(point.reachB) - a.velocity -
-                          a.spin * perpendicular(point.reachA);
+    Vec2 const relative =
+        b.velocity + b.spin * perpendicular(point.reachB) - a.velocity - a.spin * perpendicular(point.reachA);
     return dot(row.normal, relative);
 }
 
@@ -268,7 +279,8 @@ void IslandSolver::push(ContactRow const& row, PointRow const& point, Vec2 impul
     b.spin += b.inverseInertia * cross(point.reachB, impulse);
 }
 
-// --- a substep ------------------------------------------------------------------------------------------------
+// --- a substep
+// ------------------------------------------------------------------------------------------------
 
 void IslandSolver::accelerate(SlotIndex slot, double h) {
     MovingState& state = stateOf(slot);
@@ -297,10 +309,69 @@ void IslandSolver::startRows(double h) {
             PointRow& point = row.points[n];
             point.now = gapOf(row, point);
             point.normal = row.awaits ? 0 : h * row.contact->force[n];
+            point.steady = h * row.contact->steady[n];
             point.tangent = row.awaits ? 0 : h * row.contact->drag[n];
             if (point.normal != 0 || point.tangent != 0) {
                 push(row, point, point.normal * row.normal + point.tangent * across);
             }
+        }
+    }
+}
+
+// Both points of a contact are solved at once: one after the other they would tilt the body a little in each
+// substep. The complementarity problem of two impulses by trying its four cases (E. Catto, Box2D 2.4).
+void IslandSolver::solveNormals(ContactRow& row, double h, Softness const& soft, bool bias) {
+    std::array<double, 2> rest{};  // m/s, what the impulses have to change
+    std::array<double, 2> whole{}; // 1/kg, with softness
+    std::array<double, 2> yield{};
+    for (std::size_t n = 0; n < static_cast<std::size_t>(row.count); ++n) {
+        PointRow const& point = row.points[n];
+        double const inverse = 1 / point.normalMass;
+        double target = 0;
+        if (point.now > 0) {
+            target = point.now / h; // it may just reach the other surface
+        } else if (bias) {
+            target = std::max(soft.bias * point.now, -fastestParting);
+            yield[n] = soft.yield * inverse;
+        }
+        whole[n] = inverse + yield[n];
+        rest[n] = -(normalSpeed(row, point) + target) - yield[n] * (point.normal - point.steady);
+    }
+    PointRow& first = row.points[0];
+    PointRow& second = row.points[1];
+    std::array<double, 2> sum{};
+    if (row.count == 1) {
+        sum[0] = std::max(first.normal + rest[0] / whole[0], 0.0);
+    } else {
+        double const k = row.coupling;
+        double const determinant = whole[0] * whole[1] - k * k;
+        bool solved = false;
+        if (determinant > 1e-6 * whole[0] * whole[1]) {
+            sum = {first.normal + (whole[1] * rest[0] - k * rest[1]) / determinant,
+                   second.normal + (whole[0] * rest[1] - k * rest[0]) / determinant};
+            solved = sum[0] >= 0 && sum[1] >= 0;
+        }
+        if (!solved) {
+            double const alone0 = first.normal + (rest[0] + k * second.normal) / whole[0];
+            double const left1 = rest[1] + whole[1] * second.normal - k * (alone0 - first.normal);
+            double const alone1 = second.normal + (rest[1] + k * first.normal) / whole[1];
+            double const left0 = rest[0] + whole[0] * first.normal - k * (alone1 - second.normal);
+            if (alone0 >= 0 && left1 <= 0) {
+                sum = {alone0, 0};
+            } else if (alone1 >= 0 && left0 <= 0) {
+                sum = {0, alone1};
+            } else if (determinant <= 1e-6 * whole[0] * whole[1] && alone0 >= 0) {
+                sum = {alone0, 0};
+            } else {
+                sum = {};
+            }
+        }
+    }
+    for (std::size_t n = 0; n < static_cast<std::size_t>(row.count); ++n) {
+        double const delta = sum[n] - row.points[n].normal;
+        row.points[n].normal = sum[n];
+        if (delta != 0) {
+            push(row, row.points[n], delta * row.normal);
         }
     }
 }
@@ -312,28 +383,7 @@ void IslandSolver::solveContacts(double h, bool bias) {
             return;
         }
         Vec2 const across = perpendicular(row.normal);
-        for (std::size_t n = 0; n < static_cast<std::size_t>(row.count); ++n) {
-            PointRow& point = row.points[n];
-            double const gap = bias ? point.now : gapOf(row, point);
-            double target = 0;
-            double mass = 1;
-            double yield = 0;
-            if (gap > 0) {
-                target = gap / h; // it may just reach the other surface
-            } else if (bias) {
-                target = std::max(soft.bias * gap, -fastestParting);
-                mass = soft.mass;
-                yield = soft.impulse;
-            }
-            double const change =
-                -point.normalMass * mass * (normalSpeed(row, point) + target) - yield * point.normal;
-            double const sum = std::max(point.normal + change, 0.0);
-            double const delta = sum - point.normal;
-            point.normal = sum;
-            if (delta != 0) {
-                push(row, point, delta * row.normal);
-            }
-        }
+        solveNormals(row, h, soft, bias);
         for (std::size_t n = 0; n < static_cast<std::size_t>(row.count); ++n) {
             PointRow& point = row.points[n];
             double const most = row.friction * point.normal;
@@ -406,7 +456,8 @@ void IslandSolver::startJoints(double h) {
         for (std::size_t i = 0; i < slots.size(); ++i) {
             if (slots[i] != noSlot) {
                 BodyEntry const& body = engine_.bodies_[slots[i]];
-                poses[i] = {body.centre, body.angle, stateOf(slots[i]).inverseMass, stateOf(slots[i]).inverseInertia};
+                poses[i] = {body.centre, body.angle, stateOf(slots[i]).inverseMass,
+                            stateOf(slots[i]).inverseInertia};
             }
         }
         joint.rows->prepare({poses.data(), slots.size()}, h);
@@ -427,17 +478,46 @@ void IslandSolver::startJoints(double h) {
     }
 }
 
+// Steady forces lead to the mean of the velocities before and after, which is exact for constant ones. Where
+// contacts bear a body their springs damp its motion by the velocity after, except along the surface on which
+// it slides.
+void IslandSolver::findBearing() {
+    for (ContactRow const& row : rows_) {
+        for (std::size_t n = 0; n < static_cast<std::size_t>(row.count); ++n) {
+            PointRow const& point = row.points[n];
+            if (point.normal <= 0) {
+                continue;
+            }
+            bool const slides = std::abs(point.tangent) >= (1 - 1e-12) * row.friction * point.normal;
+            Vec2 const along = perpendicular(row.normal);
+            for (SlotIndex const slot : {row.a, row.b}) {
+                MovingState& state = stateOf(slot);
+                bool const same =
+                    state.borne == Borne::not_at_all ||
+                    (state.borne == Borne::sliding && std::abs(cross(state.slidesAlong, along)) < 1e-6);
+                state.borne = slides && same ? Borne::sliding : Borne::held;
+                state.slidesAlong = along;
+            }
+        }
+    }
+}
+
 void IslandSolver::move(double h) {
+    findBearing();
     for (SlotIndex const slot : island_.bodies) {
         MovingState& state = stateOf(slot);
         BodyEntry& entry = engine_.bodies_[slot];
         Vec2 drift = state.velocity;
         double turn = state.spin;
         Vec2 const change = state.velocity - state.velocityBefore;
-        if (entry.joints == 0 && lengthSquared(change) <=
-                                     steadyShare * steadyShare * lengthSquared(state.accelerated) + 1e-24) {
+        bool const steady =
+            entry.joints == 0 &&
+            lengthSquared(change) <= steadyShare * steadyShare * lengthSquared(state.accelerated);
+        if (steady && state.borne == Borne::not_at_all) {
             drift -= change / 2;
             turn -= (state.spin - state.spinBefore) / 2;
+        } else if (steady && state.borne == Borne::sliding) {
+            drift -= dot(change, state.slidesAlong) / 2 * state.slidesAlong;
         }
         Vec2 const way = h * (drift + state.shift);
         double const angle = h * (turn + state.twist);
@@ -464,6 +544,7 @@ void IslandSolver::substep(double h) {
         accelerate(slot, h);
         stateOf(slot).shift = {};
         stateOf(slot).twist = 0;
+        stateOf(slot).borne = Borne::not_at_all;
     }
     bool const joined = !island_.joints.empty();
     if (joined) {

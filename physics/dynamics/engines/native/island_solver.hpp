@@ -7,6 +7,12 @@
 
 namespace trembler::native {
 
+/// A contact as a damped spring, for its points' effective masses.
+struct Softness {
+    double bias = 0;  ///< 1/s, the share of an overlap that is closed
+    double yield = 0; ///< how much of its mass a spring yields
+};
+
 class IslandSolver {
 public:
     IslandSolver(NativeEngine& engine, Island const& island, DynamicsSettings const& settings);
@@ -25,7 +31,9 @@ private:
     void startRows(double h);
     void accelerate(SlotIndex slot, double h);
     void solveJoints();
+    void solveNormals(ContactRow& row, double h, Softness const& soft, bool bias);
     void solveContacts(double h, bool bias);
+    void findBearing();
     void move(double h);
     void startJoints(double h);
     void noteForces(double h);

@@ -12,7 +12,8 @@ inline constexpr DynamicsEngine nativeDynamics{
     .text{.name = "Native Dynamics",
           .effect = "dynamics",
           .level = "native",
-          .work = "Performs both collision detection and rigid body simulation, in double precision, with substeps for "
+          .work = "Performs both collision detection and rigid body simulation, in double precision, with "
+                  "substeps for "
                   "each group of touching bodies; applies the requested forces and impulses."},
     .make = makeNativeEngine};
 

@@ -274,9 +274,8 @@ std::vector<SlotIndex> NativeEngine::lost() const {
     std::vector<SlotIndex> found;
     for (SlotIndex slot = 0; slot < bodies_.size(); ++slot) {
         Motion const motion = motionOf(slot);
-        if (bodies_[slot].object.valid() &&
-            !(isFinite(motion.centre) && isFinite(motion.velocity) && std::isfinite(motion.angle) &&
-              std::isfinite(motion.spin))) {
+        if (bodies_[slot].object.valid() && !(isFinite(motion.centre) && isFinite(motion.velocity) &&
+                                              std::isfinite(motion.angle) && std::isfinite(motion.spin))) {
             found.push_back(slot);
         }
     }

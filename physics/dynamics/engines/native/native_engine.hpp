@@ -1,10 +1,11 @@
 // Rigid bodies by an engine of this project, for contacts that come out as computed by hand.
 //
-// A step finds the pairs of pieces that may meet in it, groups the bodies that may touch into islands, and solves each
-// island by itself with as many substeps as it needs: so the cost of a heavy stack is paid for that stack alone. Within a
-// substep contacts are soft constraints whose bias is taken back at the end (M. Macklin et al., "Small steps in physics
-// simulation", 2019; E. Catto, "Solver2D", 2024). Impacts with restitution are computed one after the other, at the time at
-// which they occur (impact.cpp). All of it is in double precision, relative to the bodies.
+// A step finds the pairs of pieces that may meet in it, groups the bodies that may touch into islands, and
+// solves each island by itself with as many substeps as it needs: so the cost of a heavy stack is paid for
+// that stack alone. Within a substep contacts are soft constraints whose bias is taken back at the end (M.
+// Macklin et al., "Small steps in physics simulation", 2019; E. Catto, "Solver2D", 2024). Impacts with
+// restitution are computed one after the other, at the time at which they occur (impact.cpp). All of it is in
+// double precision, relative to the bodies.
 #pragma once
 
 #include "physics/dynamics/engines/native/contact.hpp"

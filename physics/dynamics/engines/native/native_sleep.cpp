@@ -20,7 +20,8 @@ void NativeEngine::findRest(double duration) {
             bool idle = idles(slot);
             if (idle && !touching) { // a body that drifts freely, however slowly, is not at rest
                 idle = length(entry.load.force) <= driftAcceleration * entry.mass &&
-                       length(states_[slot].velocity) <= driftSpeed && std::abs(states_[slot].spin) <= driftSpin;
+                       length(states_[slot].velocity) <= driftSpeed &&
+                       std::abs(states_[slot].spin) <= driftSpin;
             }
             entry.idle = idle ? entry.idle + duration : 0;
             least = std::min(least, entry.idle);

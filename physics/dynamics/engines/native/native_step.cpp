@@ -13,6 +13,9 @@ namespace {
 constexpr double leastMargin = 1e-3;
 // Pieces this close, in m, touch; those that touch do so until they are twice as far apart.
 constexpr double touchGap = 5e-4;
+// A point of a contact is that of the last time if it has moved by less than this share of the smaller body's
+// extent.
+constexpr double keptWithin = 0.2;
 
 } // namespace
 
@@ -41,8 +44,9 @@ void NativeEngine::followPairs(double duration) {
             Bounds box = boundsOf(piece, poses_[slot]);
             box.low = Vec2{std::min(box.low.x, box.low.x + way.x), std::min(box.low.y, box.low.y + way.y)} -
                       Vec2{turning, turning};
-            box.high = Vec2{std::max(box.high.x, box.high.x + way.x), std::max(box.high.y, box.high.y + way.y)} +
-                       Vec2{turning, turning};
+            box.high =
+                Vec2{std::max(box.high.x, box.high.x + way.x), std::max(box.high.y, box.high.y + way.y)} +
+                Vec2{turning, turning};
             pairs_.move(nameOf(slot, piece.piece), box);
         }
     }
@@ -76,15 +80,30 @@ void NativeEngine::meetOne(Contact& contact, double margin) const {
     Meeting const before = contact.meeting;
     std::array<double, 2> const force = contact.force;
     std::array<double, 2> const drag = contact.drag;
+    std::array<double, 2> const steady = contact.steady;
     contact.meeting = meet(bodies_[contact.a].pieces[pieceOf(firstOf(contact.key))], atA,
                            bodies_[contact.b].pieces[pieceOf(secondOf(contact.key))], atB, margin);
-    contact.force = contact.drag = {};
+    contact.force = contact.drag = contact.steady = {};
+    // A point keeps its force if it is near one of the last time, whichever features meet in it.
+    double const near = keptWithin * std::min(bodies_[contact.a].extent, bodies_[contact.b].extent);
+    std::array<bool, 2> taken{};
     for (std::size_t i = 0; i < static_cast<std::size_t>(contact.meeting.count); ++i) {
+        std::size_t best = 2;
+        double least = near * near;
         for (std::size_t j = 0; j < static_cast<std::size_t>(before.count); ++j) {
-            if (contact.meeting.points[i].feature == before.points[j].feature) {
-                contact.force[i] = force[j];
-                contact.drag[i] = drag[j];
+            double const off =
+                std::min(lengthSquared(contact.meeting.points[i].armA - before.points[j].armA),
+                         lengthSquared(contact.meeting.points[i].armB - before.points[j].armB));
+            if (!taken[j] && off <= least) {
+                least = off;
+                best = j;
             }
+        }
+        if (best < 2) {
+            taken[best] = true;
+            contact.force[i] = force[best];
+            contact.drag[i] = drag[best];
+            contact.steady[i] = steady[best];
         }
     }
     contact.used = contact.meeting.count > 0;
@@ -114,9 +133,8 @@ void NativeEngine::wakeByContacts(double duration) {
             }
             SlotIndex const mover = one ? contact.a : contact.b;
             Vec2 const towards = one ? contact.meeting.normal : -contact.meeting.normal;
-            double const approach =
-                duration * (dot(states_[mover].velocity, towards) +
-                            std::abs(states_[mover].spin) * bodies_[mover].extent);
+            double const approach = duration * (dot(states_[mover].velocity, towards) +
+                                                std::abs(states_[mover].spin) * bodies_[mover].extent);
             if (least <= std::max(touchGap, approach)) {
                 wake(one ? contact.b : contact.a);
                 any = true;
@@ -245,7 +263,8 @@ void NativeEngine::step(double duration, DynamicsSettings const& settings) {
     }
 }
 
-// --- sleep ----------------------------------------------------------------------------------------------------
+// --- sleep
+// ----------------------------------------------------------------------------------------------------
 
 bool NativeEngine::idles(SlotIndex slot) const {
     // A body slower than this for that long is at rest, as with the other engines.

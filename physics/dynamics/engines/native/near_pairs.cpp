@@ -89,7 +89,8 @@ void NearPairs::move(std::uint32_t name, Bounds const& box) {
     }
 }
 
-void NearPairs::update(Filter const& mayTouch, std::vector<std::uint64_t>& gone, std::vector<std::uint64_t>& come) {
+void NearPairs::update(Filter const& mayTouch, std::vector<std::uint64_t>& gone,
+                       std::vector<std::uint64_t>& come) {
     gone.clear();
     come.clear();
     if (moved_.empty()) {
@@ -125,7 +126,8 @@ void NearPairs::update(Filter const& mayTouch, std::vector<std::uint64_t>& gone,
             merged_.push_back(key);
             continue;
         }
-        bool const mayHaveParted = movedMarks_[slotOf(firstOf(key))] != 0 || movedMarks_[slotOf(secondOf(key))] != 0;
+        bool const mayHaveParted =
+            movedMarks_[slotOf(firstOf(key))] != 0 || movedMarks_[slotOf(secondOf(key))] != 0;
         if (mayHaveParted && !b2TestOverlap(tree_.GetFatAABB(proxyOf(firstOf(key))),
                                             tree_.GetFatAABB(proxyOf(secondOf(key))))) {
             gone.push_back(key);

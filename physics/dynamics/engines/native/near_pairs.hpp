@@ -42,8 +42,8 @@ struct Bounds {
     return static_cast<std::uint32_t>(key);
 }
 
-/// Finds pairs with Box2D's dynamic tree. Its boxes are in single precision, but are rounded outwards, so that no pair is
-/// missed however far from the origin; it only reports too many there.
+/// Finds pairs with Box2D's dynamic tree. Its boxes are in single precision, but are rounded outwards, so
+/// that no pair is missed however far from the origin; it only reports too many there.
 class NearPairs {
 public:
     void add(std::uint32_t name, Bounds const& box);
@@ -52,14 +52,14 @@ public:
     void move(std::uint32_t name, Bounds const& box);
 
     using Filter = std::function<bool(SlotIndex, SlotIndex)>;
-    /// Updates the list after moves: adds the pairs of moved pieces that have come near, for which `mayTouch` is true
-    /// (it is called with the lower slot first), and removes those that are no longer. The keys of the removed and the
-    /// added ones are put into `gone` and `come`, ascending.
+    /// Updates the list after moves: adds the pairs of moved pieces that have come near, for which `mayTouch`
+    /// is true (it is called with the lower slot first), and removes those that are no longer. The keys of
+    /// the removed and the added ones are put into `gone` and `come`, ascending.
     void update(Filter const& mayTouch, std::vector<std::uint64_t>& gone, std::vector<std::uint64_t>& come);
     /// All pairs, ascending by key.
     [[nodiscard]] std::span<std::uint64_t const> pairs() const { return pairs_; }
-    /// Removes all pairs of a body, for example because what it can collide with has changed; they are found again by
-    /// the next update().
+    /// Removes all pairs of a body, for example because what it can collide with has changed; they are found
+    /// again by the next update().
     void forget(SlotIndex slot, std::vector<std::uint64_t>& gone);
 
 private:

@@ -54,9 +54,32 @@ Side sideTowards(Convex const& piece, Pose const& pose, Vec2 direction) {
     return {pose.place(piece.corners[best]), pose.place(piece.corners[next])};
 }
 
+// Whether a direction at a point of the surface points along that surface, or into the piece.
+bool pointsAlong(Convex const& piece, Pose const& pose, Vec2 point, Vec2 direction) {
+    Vec2 const own = pose.back(point - pose.at);
+    Vec2 const way = pose.back(direction);
+    for (int i = 0; i < piece.count && piece.count > 1; ++i) {
+        auto const n = static_cast<std::size_t>(i);
+        Vec2 const from = piece.corners[n];
+        Vec2 const whole = piece.corners[i + 1 < piece.count ? n + 1 : 0] - from;
+        double const size = length(whole);
+        Vec2 const along = whole / size;
+        double const here = dot(own - from, along);
+        bool const near = std::abs(dot(own - from, piece.normals[n]) - piece.radius) <= seamStep &&
+                          here >= -seamStep && here <= size + seamStep;
+        double const least = std::min(around, size / 2);
+        if (near && ((size - here >= least && dot(way, along) > intoNeighbour) ||
+                     (here >= least && dot(way, along) < -intoNeighbour))) {
+            return true;
+        }
+    }
+    return false;
+}
+
 class Seams {
 public:
-    Seams(std::span<Contact* const> contacts, std::span<BodyEntry const> bodies, std::vector<Pose> const& poses)
+    Seams(std::span<Contact* const> contacts, std::span<BodyEntry const> bodies,
+          std::vector<Pose> const& poses)
         : contacts_(contacts), bodies_(bodies), poses_(poses) {}
 
     void find() {
@@ -67,8 +90,8 @@ public:
                 continue;
             }
             if (!bodies_[contact.a].fixed) {
-                met.push_back({i, contact.a, contact.b, pieceOf(secondOf(contact.key)), -contact.meeting.normal,
-                               contact.meeting.sideOfB});
+                met.push_back({i, contact.a, contact.b, pieceOf(secondOf(contact.key)),
+                               -contact.meeting.normal, contact.meeting.sideOfB});
             }
             if (!bodies_[contact.b].fixed) {
                 met.push_back({i, contact.b, contact.a, pieceOf(firstOf(contact.key)), contact.meeting.normal,
@@ -126,15 +149,8 @@ private:
             depthOutside(neighbour, pose, point) > seamStep) {
             return false;
         }
-        Vec2 const across = perpendicular(met.normal);
         if (!met.sideOfOther) {
-            // A corner: it has no surface towards its neighbour.
-            for (double const way : {around, -around}) {
-                if (depthOutside(neighbour, pose, point + way * across) < -intoNeighbour * around) {
-                    return true;
-                }
-            }
-            return false;
+            return pointsAlong(neighbour, pose, point, met.normal);
         }
         Side const side = sideTowards(pieceIn(met), poses_[met.other], met.normal);
         Vec2 const whole = side.to - side.from;
@@ -157,7 +173,8 @@ private:
 
 } // namespace
 
-void leaveOutSeams(std::span<Contact* const> contacts, std::span<BodyEntry const> bodies, std::vector<Pose> const& poses) {
+void leaveOutSeams(std::span<Contact* const> contacts, std::span<BodyEntry const> bodies,
+                   std::vector<Pose> const& poses) {
     Seams(contacts, bodies, poses).find();
 }
 
