@@ -50,6 +50,7 @@ void Loudspeaker::leave() {
 
 void Loudspeaker::startAfresh() {
     synthesiser_.clear();
+    recordings_.newLevel();
     output_->stop();
     roomAt_.reset();
 }

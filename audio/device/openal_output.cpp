@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace trembler {
 namespace {
@@ -11,17 +12,27 @@ constexpr std::uint64_t restStream = ~std::uint64_t{0}; // voices without a sepa
 
 } // namespace
 
-OpenAlOutput::OpenAlOutput(ALCdevice* device, SynthesiserOptions const& format)
-    : device_(device), format_(format), streams_(format.block, format.rate, fullScale) {}
+OpenAlOutput::OpenAlOutput(ALCdevice* device, OpenAlExtensions const& extensions,
+                           SynthesiserOptions const& format)
+    : device_(device), format_(format), extensions_(extensions),
+      streams_(format.block, format.rate, fullScale), limiter_({.rate = format.rate}),
+      rendered_(2 * static_cast<std::size_t>(format.block)) {
+    // Streams are queued directly before they are rendered; OpenAL needs some samples beyond the rendered
+    // ones.
+    constexpr int beyond = 64;
+    streams_.setCushion(1, beyond);
+}
 
 std::unique_ptr<OpenAlOutput> OpenAlOutput::open(SynthesiserOptions const& format, std::string& why) {
-    ALCdevice* const device = alcOpenDevice(nullptr);
-    if (device == nullptr) {
-        why = "this machine has no sound device";
+    std::unique_ptr<OpenAlDevice> speaker = OpenAlDevice::open(format, why);
+    if (speaker == nullptr) {
         return nullptr;
     }
-    std::unique_ptr<OpenAlOutput> made(new OpenAlOutput(device, format));
-    return made->start({ALC_FREQUENCY, format.rate}, why) ? std::move(made) : nullptr;
+    std::unique_ptr<OpenAlOutput> made = loopback(format, why);
+    if (made != nullptr) {
+        made->speaker_ = std::move(speaker);
+    }
+    return made;
 }
 
 std::unique_ptr<OpenAlOutput> OpenAlOutput::loopback(SynthesiserOptions const& format, std::string& why) {
@@ -31,26 +42,29 @@ std::unique_ptr<OpenAlOutput> OpenAlOutput::loopback(SynthesiserOptions const& f
         why = "OpenAL cannot play into memory here";
         return nullptr;
     }
-    std::unique_ptr<OpenAlOutput> made(new OpenAlOutput(device, format));
-    made->extensions_ = extensions;
-    made->streams_.setCushion(1);
-    made->rendered_.resize(2 * static_cast<std::size_t>(format.block));
+    std::unique_ptr<OpenAlOutput> made(new OpenAlOutput(device, extensions, format));
     if (extensions.formatSupported(device, format.rate, ALC_STEREO_SOFT, ALC_FLOAT_SOFT) != ALC_TRUE) {
         why = "OpenAL cannot play into memory in this format";
         return nullptr;
     }
-    return made->start({ALC_FORMAT_CHANNELS_SOFT, ALC_STEREO_SOFT, ALC_FORMAT_TYPE_SOFT, ALC_FLOAT_SOFT,
-                        ALC_FREQUENCY, format.rate},
-                       why)
-               ? std::move(made)
-               : nullptr;
+    return made->start(why) ? std::move(made) : nullptr;
 }
 
-bool OpenAlOutput::start(std::vector<ALCint> attributes, std::string& why) {
-    attributes.insert(attributes.end(), {ALC_HRTF_SOFT, ALC_FALSE, ALC_MONO_SOURCES, 2 * mostPlaces, 0});
+bool OpenAlOutput::start(std::string& why) {
+    std::array<ALCint, 11> const attributes{ALC_FORMAT_CHANNELS_SOFT,
+                                            ALC_STEREO_SOFT,
+                                            ALC_FORMAT_TYPE_SOFT,
+                                            ALC_FLOAT_SOFT,
+                                            ALC_FREQUENCY,
+                                            format_.rate,
+                                            ALC_HRTF_SOFT,
+                                            ALC_FALSE,
+                                            ALC_MONO_SOURCES,
+                                            2 * mostPlaces,
+                                            0};
     context_ = alcCreateContext(device_, attributes.data());
     if (context_ == nullptr || alcMakeContextCurrent(context_) != ALC_TRUE) {
-        why = "OpenAL makes no context on this sound device";
+        why = "OpenAL makes no context in memory";
         return false;
     }
     if (alIsExtensionPresent("AL_EXT_float32") != AL_TRUE) {
@@ -80,11 +94,7 @@ OpenAlOutput::~OpenAlOutput() {
 }
 
 std::string OpenAlOutput::name() const {
-    if (extensions_) {
-        return "memory";
-    }
-    char const* const name = alcGetString(device_, ALC_DEVICE_SPECIFIER);
-    return name == nullptr ? "a sound device" : name;
+    return speaker_ == nullptr ? "memory" : speaker_->name();
 }
 
 bool OpenAlOutput::hrtf() const {
@@ -94,20 +104,24 @@ bool OpenAlOutput::hrtf() const {
 }
 
 void OpenAlOutput::set(RoomAcoustics const& room) {
+    alcMakeContextCurrent(context_);
     reverb_.set(room);
 }
 
 void OpenAlOutput::set(OutputSettings const& settings) {
+    alcMakeContextCurrent(context_);
     if (settings.hrtf != settings_.hrtf && alcIsExtensionPresent(device_, "ALC_SOFT_HRTF") == ALC_TRUE) {
         auto const reset = reinterpret_cast<LPALCRESETDEVICESOFT>(
             alcGetProcAddress(device_, "alcResetDeviceSOFT")); // NOLINT
-        std::vector<ALCint> attributes{ALC_FREQUENCY, format_.rate, ALC_HRTF_SOFT,
-                                       settings.hrtf ? ALC_TRUE : ALC_FALSE};
-        if (extensions_) {
-            attributes.insert(attributes.end(), {ALC_FORMAT_CHANNELS_SOFT, ALC_STEREO_SOFT,
-                                                 ALC_FORMAT_TYPE_SOFT, ALC_FLOAT_SOFT});
-        }
-        attributes.push_back(0);
+        std::array<ALCint, 9> const attributes{ALC_FREQUENCY,
+                                               format_.rate,
+                                               ALC_HRTF_SOFT,
+                                               settings.hrtf ? ALC_TRUE : ALC_FALSE,
+                                               ALC_FORMAT_CHANNELS_SOFT,
+                                               ALC_STEREO_SOFT,
+                                               ALC_FORMAT_TYPE_SOFT,
+                                               ALC_FLOAT_SOFT,
+                                               0};
         if (reset != nullptr) {
             reset(device_, attributes.data());
         }
@@ -117,13 +131,40 @@ void OpenAlOutput::set(OutputSettings const& settings) {
     alListenerf(AL_GAIN, static_cast<float>(std::clamp(settings.volume, 0.0, 1.0)));
 }
 
+// The interface is heard at once, also between runs, when nothing is mixed: its sounds go to the device
+// directly. They are 20 dB below full scale.
 void OpenAlOutput::playOnce(std::span<float const> samples, double gain) {
-    alcMakeContextCurrent(context_);
-    streams_.once(samples, gain);
+    if (speaker_ != nullptr) {
+        speaker_->playOnce(samples, gain * std::clamp(settings_.volume, 0.0, 1.0) / interfaceFullScale);
+    } else {
+        alcMakeContextCurrent(context_);
+        streams_.once(samples, gain * fullScale / interfaceFullScale);
+    }
 }
 
+void OpenAlOutput::render() {
+    extensions_.renderSamples(device_, rendered_.data(), format_.block);
+    limiter_.process(rendered_);
+}
+
+// What is being heard fades within the next block, as a sudden end would be heard as a click.
 void OpenAlOutput::stop() {
+    alcMakeContextCurrent(context_);
     streams_.stop();
+    if (std::exchange(playing_, false)) {
+        render();
+        auto const last = static_cast<float>(rendered_.size());
+        for (std::size_t n = 0; n < rendered_.size(); ++n) {
+            rendered_[n] *= 1 - static_cast<float>(n) / last;
+        }
+        if (speaker_ != nullptr) {
+            speaker_->play(rendered_);
+        }
+        alcMakeContextCurrent(context_);
+        reverb_.clear();
+        limiter_.clear();
+    }
+    std::fill(rendered_.begin(), rendered_.end(), 0.F);
 }
 
 // Plays the voices that are too faint for separate places as one stream, attenuated here.
@@ -143,13 +184,15 @@ void OpenAlOutput::playRest(std::span<Voice const* const> voices, Listener const
 }
 
 void OpenAlOutput::play(std::span<Voice const> voices, Listener const& listener) {
-    alcMakeContextCurrent(context_);
-    alListener3f(AL_POSITION, static_cast<float>(listener.at.x), static_cast<float>(listener.at.y),
-                 static_cast<float>(listener.height));
-    if (streams_.ahead()) {
+    if (speaker_ != nullptr && speaker_->ahead()) {
         ++leftOut_;
         return;
     }
+    alcMakeContextCurrent(context_);
+    alListener3f(AL_POSITION, static_cast<float>(listener.at.x), static_cast<float>(listener.at.y),
+                 static_cast<float>(listener.height));
+    streams_.reclaim();
+    playing_ = true;
     std::vector<Voice const*> order;
     for (Voice const& voice : voices) {
         order.push_back(&voice);
@@ -170,8 +213,9 @@ void OpenAlOutput::play(std::span<Voice const> voices, Listener const& listener)
     }
     playRest(std::span(order).subspan(placed), listener);
     streams_.retire();
-    if (extensions_) {
-        extensions_->renderSamples(device_, rendered_.data(), format_.block);
+    render();
+    if (speaker_ != nullptr) {
+        speaker_->play(rendered_);
     }
 }
 

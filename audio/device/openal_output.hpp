@@ -1,13 +1,14 @@
-// Plays streams through OpenAL Soft: every stream has its place in space, and is queued block by block.
+// Mixes streams by OpenAL Soft: every stream has its place in space, and is queued block by block.
 #pragma once
 
 #include "audio/device/openal.hpp"
+#include "audio/device/openal_device.hpp"
 #include "audio/device/openal_reverb.hpp"
 #include "audio/device/openal_streams.hpp"
 #include "audio/device/output.hpp"
+#include "audio/synth/limiter.hpp"
 
 #include <memory>
-#include <optional>
 #include <vector>
 
 namespace trembler {
@@ -15,6 +16,9 @@ namespace trembler {
 /// The world is the plane z = 0; the listener is in front of it. Pressures decrease with distance (inverse,
 /// clamped at 1 m). Pitch is not changed: the streams already contain the Doppler effect, as shifting each
 /// mode needs no resampling of a queue that must not run empty.
+///
+/// The mix, in stereo, is always rendered into memory, where a limiter keeps its true peak below full scale,
+/// and then played by the sound device, if there is one: so loudspeakers and files get the same samples.
 class OpenAlOutput final : public Output {
 public:
     /// The default device of this machine, or nullptr, with the reason in `why`, if there is none.
@@ -31,30 +35,38 @@ public:
     void set(RoomAcoustics const& room) override;
     void stop() override;
     [[nodiscard]] std::string name() const override;
-    [[nodiscard]] bool audible() const override { return !extensions_; }
+    [[nodiscard]] bool audible() const override { return speaker_ != nullptr; }
 
-    /// The block that the last play() made audible, left and right in turn; loopback only.
+    /// The block of the last play(), left and right in turn, behind the limiter.
     [[nodiscard]] std::span<float const> rendered() const { return rendered_; }
     [[nodiscard]] bool hrtf() const;
     /// Blocks that came too late, or too early, for the device.
-    [[nodiscard]] std::uint64_t slips() const { return leftOut_ + streams_.slips(); }
+    [[nodiscard]] std::uint64_t slips() const {
+        return leftOut_ + streams_.slips() + (speaker_ == nullptr ? 0 : speaker_->slips());
+    }
 
     /// The greatest number of streams with separate places; fainter streams have no direction.
     static constexpr std::size_t mostPlaces = 64;
-    /// Full scale, in Pa at the listener: 100 dB.
-    static constexpr double fullScale = 2;
+    /// Full scale of the mix, in Pa at the listener: 94 dB.
+    static constexpr double fullScale = 1;
+    /// Full scale of the sounds of the interface, in Pa: they stay below those of the world.
+    static constexpr double interfaceFullScale = 2;
 
 private:
-    OpenAlOutput(ALCdevice* device, SynthesiserOptions const& format);
-    [[nodiscard]] bool start(std::vector<ALCint> attributes, std::string& why);
+    OpenAlOutput(ALCdevice* device, OpenAlExtensions const& extensions, SynthesiserOptions const& format);
+    [[nodiscard]] bool start(std::string& why);
+    void render();
     void playRest(std::span<Voice const* const> voices, Listener const& listener);
 
     ALCdevice* device_;
     ALCcontext* context_ = nullptr;
     SynthesiserOptions format_;
-    std::optional<OpenAlExtensions> extensions_; // of a loopback device
+    OpenAlExtensions extensions_;
     OpenAlReverb reverb_;
     OpenAlStreams streams_;
+    Limiter limiter_;
+    std::unique_ptr<OpenAlDevice> speaker_; // nullptr: only into memory
+    bool playing_ = false;                  // since the last stop()
     OutputSettings settings_;
     std::vector<float> rendered_;
     std::uint64_t leftOut_ = 0; // blocks that came too early

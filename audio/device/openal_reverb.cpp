@@ -60,6 +60,14 @@ void OpenAlReverb::set(RoomAcoustics const& room) {
     }
 }
 
+// OpenAL begins with a new, silent state when the kind of effect changes.
+void OpenAlReverb::clear() {
+    if (slot_ != 0) {
+        effects_.sloti(slot_, AL_EFFECTSLOT_EFFECT, AL_EFFECT_NULL);
+        apply();
+    }
+}
+
 void OpenAlReverb::switchTo(bool on) {
     if (on != on_) {
         on_ = on;

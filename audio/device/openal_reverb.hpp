@@ -17,6 +17,8 @@ public:
     void set(RoomAcoustics const& room);
     /// Switches the echo on or off.
     void switchTo(bool on);
+    /// Ends the echo of all that was played so far.
+    void clear();
     /// The auxiliary slot that sources send to; 0 for none.
     [[nodiscard]] ALuint slot() const { return slot_; }
 

@@ -3,15 +3,15 @@
 #include <algorithm>
 
 namespace trembler {
-namespace {
+OpenAlStreams::OpenAlStreams(int block, int rate, double fullScale, int channels)
+    : rate_(rate), fullScale_(fullScale), channels_(channels),
+      scaled_(static_cast<std::size_t>(channels * block)),
+      silence_(static_cast<std::size_t>(channels * block)) {}
 
-constexpr int longestQueue = 6; // blocks; beyond that the world runs too fast
-
-} // namespace
-
-OpenAlStreams::OpenAlStreams(int block, int rate, double fullScale)
-    : rate_(rate), fullScale_(fullScale), scaled_(static_cast<std::size_t>(block)),
-      silence_(static_cast<std::size_t>(block)) {}
+void OpenAlStreams::setCushion(int buffers, int samples) {
+    cushion_ = buffers;
+    silence_.assign(static_cast<std::size_t>(channels_ * samples), 0);
+}
 
 void OpenAlStreams::addIdleBuffer() {
     ALuint buffer = 0;
@@ -37,14 +37,14 @@ void OpenAlStreams::prepare(int streams) {
     for (int i = 0; i < streams && addIdleSource(); ++i) {
         for (int b = 0; b <= cushion_; ++b) {
             addIdleBuffer();
-            fill(idleBuffers_.back(), silence_); // OpenAL takes the memory for samples with the first ones
+            fill(idleBuffers_.back(), scaled_); // OpenAL takes the memory for samples with the first ones
         }
     }
 }
 
 void OpenAlStreams::fill(ALuint buffer, std::span<float const> samples) {
-    alBufferData(buffer, AL_FORMAT_MONO_FLOAT32, samples.data(), static_cast<ALsizei>(samples.size_bytes()),
-                 rate_);
+    alBufferData(buffer, channels_ == 2 ? AL_FORMAT_STEREO_FLOAT32 : AL_FORMAT_MONO_FLOAT32, samples.data(),
+                 static_cast<ALsizei>(samples.size_bytes()), rate_);
 }
 
 ALuint OpenAlStreams::freeBuffer() {
@@ -70,6 +70,9 @@ OpenAlStreams::Source* OpenAlStreams::sourceFor(std::uint64_t stream) {
     alSourcei(source.id, AL_SOURCE_RELATIVE, AL_FALSE);
     alSourcef(source.id, AL_REFERENCE_DISTANCE, 1);
     alSourcef(source.id, AL_ROLLOFF_FACTOR, 1);
+    if (channels_ == 2 && alIsExtensionPresent("AL_SOFT_direct_channels") == AL_TRUE) {
+        alSourcei(source.id, AL_DIRECT_CHANNELS_SOFT, AL_TRUE);
+    }
     if (slot_ != 0) {
         alSource3i(source.id, AL_AUXILIARY_SEND_FILTER, static_cast<ALint>(slot_), 0, AL_FILTER_NULL);
     }
@@ -86,15 +89,20 @@ void OpenAlStreams::reclaim(Source& source) {
     }
 }
 
-bool OpenAlStreams::ahead() {
-    int longest = 0;
+void OpenAlStreams::reclaim() {
     for (auto& [stream, source] : sources_) {
         reclaim(source);
+    }
+}
+
+int OpenAlStreams::longestQueue() const {
+    int longest = 0;
+    for (auto const& [stream, source] : sources_) {
         ALint waiting = 0;
         alGetSourcei(source.id, AL_BUFFERS_QUEUED, &waiting);
         longest = std::max(longest, static_cast<int>(waiting));
     }
-    return longest >= longestQueue;
+    return longest;
 }
 
 void OpenAlStreams::queue(Source& source, std::span<float const> samples) {

@@ -22,20 +22,24 @@ struct SourcePlace {
 class OpenAlStreams {
 public:
     /// Blocks of `block` samples, `rate` samples in a second. `fullScale` is the pressure, in Pa, that is
-    /// played at the greatest amplitude.
-    OpenAlStreams(int block, int rate, double fullScale);
+    /// played at the greatest amplitude. With two channels a stream has no place: its samples, left and right
+    /// in turn, are played as they are.
+    OpenAlStreams(int block, int rate, double fullScale, int channels = 1);
 
     /// Sets the effect slot of sources created from now on; 0 for none.
     void sendTo(ALuint slot) { slot_ = slot; }
-    /// Sets the number of silent blocks before a stream begins, so that its queue does not run empty at once.
-    void setCushion(int blocks) { cushion_ = blocks; }
+    /// Sets the silence before a stream begins, so that its queue does not run empty: so many buffers of
+    /// `samples` each.
+    void setCushion(int buffers, int samples);
 
     /// Creates in advance all OpenAL objects that `streams` streams beginning at the same time need, so that
     /// the frame in which they begin takes no longer. To be called after sendTo() and setCushion().
     void prepare(int streams);
 
-    /// Whether so many blocks are queued that the next block should be left out.
-    [[nodiscard]] bool ahead();
+    /// Takes back the buffers that have been played. To be called once for every block.
+    void reclaim();
+    /// The number of buffers that wait in the longest queue.
+    [[nodiscard]] int longestQueue() const;
     /// Queues the next block of a stream. Does nothing if OpenAL has no source for it.
     void queue(std::uint64_t stream, SourcePlace const& place, std::span<float const> samples);
     /// To be called after the last queue() of a block. Streams that were not queued in it have ended: they
@@ -75,8 +79,9 @@ private:
 
     int rate_;         // Hz
     double fullScale_; // Pa
+    int channels_;
     ALuint slot_ = 0;
-    int cushion_ = 2;
+    int cushion_ = 2;                         // buffers
     std::map<std::uint64_t, Source> sources_; // by stream
     std::vector<ALuint> idleSources_;
     std::vector<ALuint> allSources_;
@@ -84,7 +89,7 @@ private:
     std::vector<ALuint> allBuffers_;
     std::vector<Once> once_;
     std::vector<float> scaled_;  // a member to reuse its memory
-    std::vector<float> silence_; // a block
+    std::vector<float> silence_; // of one buffer of the cushion
     std::uint64_t slips_ = 0;
 };
 

@@ -12,8 +12,8 @@ class OpenAlOutput;
 
 /// A .wav file, 16 bits, left and right at the synthesiser's rate, one block of samples per frame of the
 /// world. It contains the same sound as the game's loudspeaker plays, rendered by OpenAL's device that plays
-/// into memory; equal worlds make equal files, bit for bit. Full scale is 100 dB at the listener, as in
-/// OpenAlOutput; louder samples are clipped. Used by one thread at a time.
+/// into memory; equal worlds make equal files, bit for bit. Full scale is 94 dB at the listener, as in
+/// OpenAlOutput, whose limiter keeps louder sounds below it. Used by one thread at a time.
 class SoundFile {
 public:
     /// Throws std::invalid_argument if the name does not end in .wav, OutputError if the file cannot be

@@ -1,5 +1,6 @@
 // trembler accuracy: measures the error and the cost of every detail level.
 #include "game/app/commands.hpp"
+#include "game/app/options/file_rules.hpp"
 #include "game/app/options/inputs.hpp"
 #include "game/app/options/number_options.hpp"
 #include "game/app/options/outputs.hpp"
@@ -8,11 +9,14 @@
 #include "measure/accuracy/plot.hpp"
 #include "measure/accuracy/report.hpp"
 #include "puzzle/data/game_data.hpp"
+#include "runtime/file/folders.hpp"
 #include "runtime/file/visible_text.hpp"
+#include "runtime/level/json/suggestion.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -44,14 +48,15 @@ std::string fromMeasurements(std::optional<std::string> const& plot) {
     return text.starts_with("docs/") ? "../" + text.substr(5) : text;
 }
 
-void makeFolder(std::string const& option, std::string const& folder) {
-    checkFolderName(option, folder);
-    std::error_code error;
-    fs::create_directories(folder, error);
-    if (!fs::is_directory(folder)) {
-        throw OutputError(fmt::format("{} {}: the folder cannot be made: {}", option, folder,
-                                      error ? error.message() : "there is something else"));
+/// The effects that have ladders, each once.
+std::vector<std::string> effectsMeasured() {
+    std::vector<std::string> effects;
+    for (accuracy::Plan const& plan : accuracy::plans()) {
+        if (std::find(effects.begin(), effects.end(), plan.effect) == effects.end()) {
+            effects.push_back(plan.effect);
+        }
     }
+    return effects;
 }
 
 int report(AccuracyArguments const& arguments) {
@@ -61,15 +66,13 @@ int report(AccuracyArguments const& arguments) {
     // Opened now, so that a bad path fails before the measurements.
     OutputFile* const json = outputs.add("--json", arguments.json);
     OutputFile* const markdown = outputs.add("--markdown", arguments.markdown);
-    if (arguments.plot) {
-        makeFolder("--plot", *arguments.plot);
-    }
     Progress progress;
     auto const ladders =
         accuracy::climb(gameData, arguments.effects, {.brief = arguments.brief, .runs = arguments.runs},
                         [&](std::string const& effect) { progress.say(effect); });
     progress.clear();
     if (arguments.plot) {
+        makeFolder(*arguments.plot); // only now, so that an interrupted command leaves no empty folder
         for (accuracy::Ladder const& ladder : ladders) {
             std::string const file = fs::path(*arguments.plot) / (accuracy::slugOf(ladder) + ".svg");
             outputs.add("--plot", file)->stream() << accuracy::asSvg(ladder);
@@ -90,25 +93,30 @@ int report(AccuracyArguments const& arguments) {
 
 } // namespace
 
-void addAccuracyCommand(CLI::App& program, int& result) {
+void addAccuracyCommand(CLI::App& program, Work& work) {
     auto const arguments = std::make_shared<AccuracyArguments>();
     CLI::App* const command = program.add_subcommand(
         "accuracy", "Measure the error and the time of every detail level, scene by scene");
-    command->add_option("EFFECT", arguments->effects, "Effects, for example gravity (default: all)");
-    addOptionalFile(*command, "--json", arguments->json,
+    accepts(command->add_option("EFFECT", arguments->effects, "Effects, for example gravity (default: all)")
+                ->type_name(""),
+            "one of the effects: " + listed(effectsMeasured()), [](std::string const& effect) {
+                std::vector<std::string> const known = effectsMeasured();
+                return std::find(known.begin(), known.end(), effect) != known.end()
+                           ? std::nullopt
+                           : Fault("there is no such effect" + didYouMean(effect, known));
+            });
+    addOptionalFile(*command, "--json", arguments->json, file_kinds::json,
                     "Write one JSON object; on the terminal it replaces the table");
-    command
-        ->add_option("--plot,--out", arguments->plot,
-                     "Folder for plots of the error over the time per frame, one SVG per ladder")
-        ->type_name("DIR");
-    addOptionalFile(*command, "--markdown", arguments->markdown,
+    addOutputFolder(*command, "--plot,--out", arguments->plot,
+                    "Folder for plots of the error over the time per frame, one SVG per ladder");
+    addOptionalFile(*command, "--markdown", arguments->markdown, file_kinds::markdown,
                     "Write the page docs/measurements/accuracy.md; on the terminal it replaces the table");
     addNumber(*command, "--runs", arguments->runs, 1, 100,
               "Measure everything so many times and keep the least times, against what else the machine does "
               "(default: 1)");
     command->add_flag("--brief", arguments->brief, "Tiny scenes: a second in all, for trying it out");
     command->footer(outputConvention);
-    command->callback([arguments, &result] { result = guarded([&] { return report(*arguments); }); });
+    command->callback([arguments, &work] { work = [arguments] { return report(*arguments); }; });
 }
 
 } // namespace trembler

@@ -1,9 +1,11 @@
 // trembler clip: a moving picture of a run.
 #include "game/app/commands.hpp"
 #include "game/app/mods/mods.hpp"
+#include "game/app/options/file_rules.hpp"
 #include "game/app/options/number_options.hpp"
 #include "game/app/options/outputs.hpp"
 #include "game/app/options/picture_size.hpp"
+#include "game/app/options/solution_option.hpp"
 #include "game/app/progress.hpp"
 #include "runtime/level/json/limits.hpp"
 
@@ -49,13 +51,14 @@ int makeClip(ClipArguments const& arguments) {
     ui::ClipOptions options;
     options.level = arguments.level;
     options.solution = arguments.solution;
-    PictureSize const size = pictureSizeFrom(arguments.size);
+    PictureSize const size = *pictureSizeFrom(arguments.size); // checked with the other options
     options.size = {size.width, size.height};
     options.from = arguments.from.value_or(options.from);
     options.seconds = arguments.seconds.value_or(options.seconds);
     options.rate = arguments.rate;
     options.overlays.electricity = arguments.electricity;
     options.overlays.forces = arguments.forces;
+    checkSolutionStated(*data, arguments.level, arguments.solution);
     Outputs outputs;
     readsAll(outputs, *data);
     outputs.reads(arguments.level);
@@ -80,14 +83,14 @@ int makeClip(ClipArguments const& arguments) {
 
 } // namespace
 
-void addClipCommand(CLI::App& program, int& result) {
+void addClipCommand(CLI::App& program, Work& work) {
     auto const arguments = std::make_shared<ClipArguments>();
     CLI::App* const command = program.add_subcommand(
         "clip", "Write a moving picture of a run, an animated WebP without interface; needs no display");
-    command->add_option("LEVEL", arguments->level, "Level file")->required();
-    command->add_option("--solution", arguments->solution,
-                        "Recorded solution, by name or file (default: the level runs as it begins)");
-    addFile(*command, "--out", arguments->out, "The WebP file to write")->required();
+    addLevel(*command, arguments->level, "Level file")->required();
+    addSolution(*command, arguments->solution,
+                "Recorded solution, by name or file (default: the level runs as it begins)");
+    addFile(*command, "--out", arguments->out, file_kinds::webp, "The WebP file to write")->required();
     addPictureSize(*command, arguments->size);
     constexpr double longest = static_cast<double>(limits::frames) / 60;
     addNumber(*command, "--from", arguments->from, 0.0, longest, "Seconds of the world before the clip")
@@ -104,7 +107,7 @@ void addClipCommand(CLI::App& program, int& result) {
                     "--seconds 6 --out it.webp\n"
                     "The names of a level's solutions are in its file, under \"solutions\".\n\n") +
         outputConvention);
-    command->callback([arguments, &result] { result = guarded([&] { return makeClip(*arguments); }); });
+    command->callback([arguments, &work] { work = [arguments] { return makeClip(*arguments); }; });
 }
 
 } // namespace trembler

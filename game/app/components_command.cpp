@@ -2,6 +2,7 @@
 // that each level's scene activates.
 #include "game/app/commands.hpp"
 #include "game/app/mods/mods.hpp"
+#include "game/app/options/choice_option.hpp"
 #include "game/app/options/inputs.hpp"
 #include "game/app/options/outputs.hpp"
 #include "measure/activation/report.hpp"
@@ -72,40 +73,36 @@ int describe(ComponentsArguments const& arguments) {
 
 } // namespace
 
-void addComponentsCommand(CLI::App& program, int& result) {
+void addComponentsCommand(CLI::App& program, Work& work) {
     auto const arguments = std::make_shared<ComponentsArguments>();
     CLI::App* const command = program.add_subcommand(
         "components", "Print every component in the thesis's notation, and the schedule");
-    addOptionalFile(*command, "--json", arguments->json,
+    addOptionalFile(*command, "--json", arguments->json, file_kinds::json,
                     "Write them as one JSON object; on the terminal it replaces the text");
-    addOptionalFile(*command, "--markdown", arguments->markdown,
+    addOptionalFile(*command, "--markdown", arguments->markdown, file_kinds::markdown,
                     "Write them as Markdown tables; on the terminal they replace the text");
     command->add_flag("--levels", arguments->levels,
                       "Instead, for every level: which components are absent, asleep and active, "
                       "and their updates");
-    command
-        ->add_option(
-            "--mod", arguments->mods,
-            "A mod's folder, or a folder of mods: their interactions, too. A level that does not name "
-            "a mod has none of its interactions; with --levels they are all shown as absent")
-        ->type_name("DIR")
-        ->allow_extra_args(false);
+    addModFolderOption(
+        *command, arguments->mods,
+        "A mod's folder, or a folder of mods: their interactions, too. A level that does not name "
+        "a mod has none of its interactions; with --levels they are all shown as absent");
     command->footer(outputConvention);
-    command->callback([arguments, &result] { result = guarded([&] { return describe(*arguments); }); });
+    command->callback([arguments, &work] { work = [arguments] { return describe(*arguments); }; });
 }
 
-void addSchemaCommand(CLI::App& program, int& result) {
+void addSchemaCommand(CLI::App& program, Work& work) {
     auto const json = std::make_shared<OutputTarget>();
     auto const of = std::make_shared<std::string>(authoredFiles.front());
     CLI::App* const command =
         program.add_subcommand("schema", "Print the JSON Schema of a level file, a part or a chapter");
-    command->add_option("KIND", *of, "The kind of file: level, part or chapter (default: level)")
-        ->type_name("")
-        ->check(CLI::IsMember(std::vector<std::string>(authoredFiles.begin(), authoredFiles.end())));
-    addOptionalFile(*command, "--json", *json, "Write it to FILE (default: the terminal)");
+    addChoice(*command, "KIND", *of, {authoredFiles.begin(), authoredFiles.end()},
+              "The kind of file: level, part or chapter (default: level)");
+    addOptionalFile(*command, "--json", *json, file_kinds::json, "Write it to FILE (default: the terminal)");
     command->footer(outputConvention);
-    command->callback([json, of, &result] {
-        result = guarded([&] {
+    command->callback([json, of, &work] {
+        work = [json, of] {
             auto const kind = static_cast<AuthoredFile>(
                 std::find(authoredFiles.begin(), authoredFiles.end(), *of) - authoredFiles.begin());
             Outputs outputs;
@@ -113,7 +110,7 @@ void addSchemaCommand(CLI::App& program, int& result) {
             (file == nullptr ? std::cout : file->stream()) << printed(publishedSchema(kind));
             outputs.finish();
             return exitSolved;
-        });
+        };
     });
 }
 

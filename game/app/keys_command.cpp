@@ -59,18 +59,18 @@ int printKeys(KeysArguments const& arguments) {
 
 } // namespace
 
-void addKeysCommand(CLI::App& program, int& result) {
+void addKeysCommand(CLI::App& program, Work& work) {
     auto const arguments = std::make_shared<KeysArguments>();
     CLI::App* const command =
         program.add_subcommand("keys", "Print the commands of the window and their default keys");
-    addOptionalFile(*command, "--json", arguments->json,
+    addOptionalFile(*command, "--json", arguments->json, file_kinds::json,
                     "Write them as one JSON object; on the terminal it replaces the text");
-    addOptionalFile(*command, "--markdown", arguments->markdown,
+    addOptionalFile(*command, "--markdown", arguments->markdown, file_kinds::markdown,
                     "Write them as Markdown tables; on the terminal they replace the text");
-    addOptionalFile(*command, "--mouse", arguments->mouse,
+    addOptionalFile(*command, "--mouse", arguments->mouse, file_kinds::markdown,
                     "Write the mouse gestures as Markdown tables; on the terminal they replace the text");
     command->footer(outputConvention);
-    command->callback([arguments, &result] { result = guarded([&] { return printKeys(*arguments); }); });
+    command->callback([arguments, &work] { work = [arguments] { return printKeys(*arguments); }; });
 }
 
 } // namespace trembler

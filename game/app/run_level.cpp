@@ -2,20 +2,21 @@
 #include "game/app/budget_report.hpp"
 #include "game/app/commands.hpp"
 #include "game/app/mods/mods.hpp"
+#include "game/app/options/assignments.hpp"
 #include "game/app/options/inputs.hpp"
-#include "game/app/options/numbers.hpp"
 #include "game/app/options/run_arguments.hpp"
+#include "game/app/options/solution_option.hpp"
 #include "game/app/options/sound_option.hpp"
+#include "game/app/options/watch_option.hpp"
 #include "game/app/progress.hpp"
 #include "insight/probe/plot.hpp"
 #include "insight/probe/watch_table.hpp"
 #include "physics/dynamics/properties/crowd.hpp"
 #include "physics/dynamics/properties/settings.hpp"
 #include "physics/electricity/analyses/spice.hpp"
+#include "puzzle/checks/checked_level.hpp"
 #include "puzzle/run/frame_account.hpp"
-#include "puzzle/solutions/solution_file.hpp"
 #include "runtime/file/visible_text.hpp"
-#include "runtime/level/read/read_level.hpp"
 #include "runtime/level/write/write_level.hpp"
 
 #include <fmt/format.h>
@@ -29,28 +30,15 @@ namespace trembler {
 namespace {
 
 constexpr std::uint64_t usualFrames = 600;
-constexpr int longestPeriod = 3600; // frames; the limit of World::setPeriod
 
-int asPeriod(std::string const& text, std::string const& value) {
-    auto const period = wholeNumber(value, 1, longestPeriod);
-    if (!period) {
-        throw std::invalid_argument(fmt::format(
-            "--period {}: expected COMPONENT=N with a whole number N from 1 to {}", text, longestPeriod));
-    }
-    return static_cast<int>(*period);
-}
-
-WorldOptions optionsOf(RunArguments const& arguments, LevelFile const& level) {
+WorldOptions optionsOf(RunArguments const& arguments, Registry const& registry, LevelFile const& level) {
     WorldOptions options;
     options.threads = arguments.threads;
     options.trace = arguments.trace.has_value() || arguments.account.has_value();
     options.detail = detailOf(arguments.detail);
     // The level's own choices, unless the command line overrides them.
     options.detail.insert(level.detail.begin(), level.detail.end());
-    for (std::string const& text : arguments.periods) {
-        auto const [component, value] = assignment(text, "--period", "COMPONENT=N");
-        options.periods[component] = asPeriod(text, value);
-    }
+    options.periods = periodsOf(registry, arguments.periods);
     return options;
 }
 
@@ -166,26 +154,22 @@ void tellOfSlowness(RunOptions& run, Session const& session, Progress& progress)
 int runLevel(RunArguments const& arguments) {
     auto const data = gameDataFor(arguments.level, arguments.mods);
     GameData const& gameData = *data;
-    LevelFile level = loadLevel(gameData.registry, arguments.level);
+    LevelFile level =
+        loadPlayable(gameData.registry, gameData.parts, arguments.level, detailOf(arguments.detail));
+    std::vector<std::string> const doubts =
+        doubtsAbout(gameData.registry, gameData.parts, level, detailOf(arguments.detail));
     if (arguments.substeps) {
         setSubsteps(level, *arguments.substeps);
     }
-    WorldOptions const options = optionsOf(arguments, level);
+    WorldOptions const options = optionsOf(arguments, gameData.registry, level);
     std::optional<Solution> solution;
     if (!arguments.solution.empty()) {
-        solution = findOrLoadSolution(gameData.registry, level, arguments.solution);
+        solution = solutionStated(gameData.registry, level, arguments.solution);
     }
     if (solution && arguments.budget && !solution->changes.empty()) {
         throw std::invalid_argument(
             "--budget: the solution was recorded with changes of its own; run it without "
             "--budget to repeat it");
-    }
-    if (arguments.watch.empty() == (arguments.csv || arguments.svg)) {
-        throw std::invalid_argument(
-            arguments.watch.empty()
-                ? fmt::format("{}: expected --watch OBJECT.FIELD as well, which names the values to write",
-                              arguments.csv ? "--csv" : "--svg")
-                : "--watch: expected --csv FILE or --svg FILE as well, which names the file to write");
     }
     Outputs outputs;
     noteInputs(outputs, arguments, gameData, level);
@@ -204,6 +188,7 @@ int runLevel(RunArguments const& arguments) {
             throw std::invalid_argument(fmt::format("--record {}: {}", *arguments.record, *whyNot));
         }
     }
+    checkWatched(gameData.registry, session.world(), arguments.watch);
     RunOptions run;
     budget::BudgetMode mode(gameData.registry);
     if (arguments.budget) {
@@ -239,8 +224,9 @@ int runLevel(RunArguments const& arguments) {
     if (svg != nullptr) {
         plotWith(run, probes, wanted, gameData.registry, arguments);
     }
-    RunReport const report = trembler::run(session, arguments.level, run);
+    RunReport report = trembler::run(session, arguments.level, run);
     progress.clear();
+    report.warnings.insert(report.warnings.begin(), doubts.begin(), doubts.end());
     reportScriptMessages(gameData);
     if (table) {
         for (std::string const& sentence : table->withoutValue(session.world())) {

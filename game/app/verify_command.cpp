@@ -1,6 +1,8 @@
 // trembler verify: checks whether every level is valid.
 #include "game/app/commands.hpp"
 #include "game/app/mods/mods.hpp"
+#include "game/app/options/assignments.hpp"
+#include "game/app/options/file_rules.hpp"
 #include "game/app/options/inputs.hpp"
 #include "game/app/options/level_paths.hpp"
 #include "game/app/options/outputs.hpp"
@@ -161,24 +163,21 @@ int verifyAll(VerifyArguments const& arguments) {
 
 } // namespace
 
-void addVerifyCommand(CLI::App& program, int& result) {
+void addVerifyCommand(CLI::App& program, Work& work) {
     auto const arguments = std::make_shared<VerifyArguments>();
     CLI::App* const command = program.add_subcommand(
         "verify",
         "Check levels: valid, not solved by an empty toolbox (unless it is a demonstration), every recorded "
         "solution has its stated result, and always the same one; no script fails. A line per failure. Exit "
         "status: 0 all valid, 1 not all valid, 2 bad input or output.");
-    command->add_option("PATH", arguments->paths,
-                        "Level files or folders (default: all levels, including those of the mods that come "
-                        "with the program)");
-    addOptionalFile(*command, "--json", arguments->json,
+    addLevels(*command, "PATH", arguments->paths,
+              "Level files or folders (default: all levels, including those of the mods that come "
+              "with the program)");
+    addOptionalFile(*command, "--json", arguments->json, file_kinds::json,
                     "Write one JSON object with the failures of each level; on the terminal it replaces the "
                     "words. If there is no other PATH, the name after --json is the PATH");
-    command
-        ->add_option("--detail", arguments->detail,
-                     "EFFECT=LEVEL: check them with this detail level, for example dynamics=ode")
-        ->allow_extra_args(false); // otherwise the option would take the path for its value
-    addFile(*command, "--resume", arguments->resume,
+    addDetail(*command, arguments->detail, "Check them with this detail level, for example dynamics=ode");
+    addFile(*command, "--resume", arguments->resume, file_kinds::journal,
             "A file to which the verdict on every level is added as it comes; a level that has not changed "
             "since is not verified again");
     command->add_flag("--mpi", arguments->mpi,
@@ -186,9 +185,9 @@ void addVerifyCommand(CLI::App& program, int& result) {
                       "depend on their number");
     addModFolders(*command, arguments->mods);
     command->footer(outputConvention);
-    command->callback([arguments, &result] {
-        takeBack(arguments->paths, arguments->json);
-        result = guarded([&] { return verifyAll(*arguments); });
+    command->callback([command, arguments, &work] {
+        takeBack(*command, "PATH", arguments->paths, "--json", arguments->json);
+        work = [arguments] { return verifyAll(*arguments); };
     });
 }
 

@@ -1,18 +1,20 @@
 // trembler why: why something happened in a run, or why a goal was not met.
 #include "game/app/commands.hpp"
 #include "game/app/mods/mods.hpp"
+#include "game/app/options/choice_option.hpp"
+#include "game/app/options/file_rules.hpp"
 #include "game/app/options/inputs.hpp"
 #include "game/app/options/number_options.hpp"
 #include "game/app/options/outputs.hpp"
+#include "game/app/options/solution_option.hpp"
 #include "game/app/progress.hpp"
 #include "insight/why/words/words.hpp"
 #include "puzzle/campaign/as_played.hpp"
+#include "puzzle/checks/checked_level.hpp"
 #include "puzzle/goals/words/goal_text.hpp"
 #include "puzzle/language/catalogue.hpp"
-#include "puzzle/solutions/solution_file.hpp"
 #include "runtime/file/visible_text.hpp"
 #include "runtime/level/json/limits.hpp"
-#include "runtime/level/read/read_level.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -40,16 +42,21 @@ struct WhyArguments {
     OutputTarget json;
 };
 
-insight::Question questionFrom(WhyArguments const& arguments) {
+void checkQuestion(WhyArguments const& arguments) {
     int const asked =
         (arguments.goal.empty() ? 0 : 1) + (arguments.event ? 1 : 0) + (arguments.object.empty() ? 0 : 1);
     if (asked > 1) {
-        throw std::invalid_argument("expected one of --goal, --event and --object, not several");
+        throw CLI::ValidationError(arguments.goal.empty() ? "--event" : "--goal",
+                                   "expected one of --goal, --event and --object, not several");
     }
     if (arguments.object.empty() == arguments.at.has_value()) {
-        throw std::invalid_argument(arguments.at ? "--at: expected --object NAME as well"
-                                                 : "--object: expected --at SECONDS as well");
+        throw CLI::ValidationError(arguments.at ? "--at" : "--object", arguments.at
+                                                                           ? "expected --object NAME as well"
+                                                                           : "expected --at SECONDS as well");
     }
+}
+
+insight::Question questionFrom(WhyArguments const& arguments) {
     insight::Question question;
     if (!arguments.goal.empty()) {
         question.goal = arguments.goal;
@@ -74,9 +81,6 @@ std::string askedIn(WhyArguments const& arguments, insight::Answer const& answer
 }
 
 Catalogue catalogueFor(GameData const& data, std::string const& language) {
-    if (language != "en" && language != "de") {
-        throw std::invalid_argument(fmt::format("--language {}: expected en or de", language));
-    }
     return language == "en" ? Catalogue() : Catalogue(data.home / "assets" / "text", language);
 }
 
@@ -98,7 +102,7 @@ std::string goalText(LevelFile const& level, GameData const& data, std::string c
 int answerWhy(WhyArguments const& arguments) {
     insight::Question const question = questionFrom(arguments);
     auto const data = gameDataFor(arguments.level, arguments.mods);
-    LevelFile level = loadLevel(data->registry, arguments.level);
+    LevelFile level = loadPlayable(data->registry, data->parts, arguments.level);
     Catalogue const catalogue = catalogueFor(*data, arguments.language);
     bool const english = arguments.language == "en";
     Solution solution;
@@ -109,9 +113,12 @@ int answerWhy(WhyArguments const& arguments) {
         if (level.findSolution(arguments.solution) == nullptr) {
             outputs.reads(arguments.solution);
         }
-        solution = findOrLoadSolution(data->registry, level, arguments.solution);
+        solution = solutionStated(data->registry, level, arguments.solution);
     }
     OutputFile* const json = outputs.add("--json", arguments.json);
+    if (arguments.task && level.task.is_null()) {
+        throw std::invalid_argument("--task: the level has no task; expected a demonstration with one");
+    }
     if (!arguments.task) {
         level.task = nullptr; // the goals of a demonstration stay as they are
     }
@@ -154,21 +161,27 @@ int answerWhy(WhyArguments const& arguments) {
 
 } // namespace
 
-void addWhyCommand(CLI::App& program, int& result) {
+void addWhyCommand(CLI::App& program, Work& work) {
     auto const arguments = std::make_shared<WhyArguments>();
     CLI::App* const command = program.add_subcommand(
         "why",
         "Say why something happened in a run of a level, confirmed by running it again without each "
         "cause; of a goal that was not met, how nearly. Exit status: 0 it happened, 1 the goal was not "
         "met, 2 bad input or output.");
-    command->add_option("LEVEL", arguments->level, "Level file (required)");
-    command->add_option("--solution", arguments->solution,
-                        "Name of a solution recorded in the level, or a file with one");
-    command->add_option("--goal", arguments->goal,
-                        "Id of a goal (default: the first that was not met, else the last that was)");
+    addLevel(*command, arguments->level, "Level file (required)");
+    addSolution(*command, arguments->solution,
+                "Name of a solution recorded in the level, or a file with one");
+    accepts(command
+                ->add_option("--goal", arguments->goal,
+                             "Id of a goal (default: the first that was not met, else the last that was)")
+                ->type_name("ID"),
+            "the id of a goal of the level");
     addNumber(*command, "--event", arguments->event, 1, 1000000000,
               "Number of an event, as `trembler run --trace` lists them");
-    command->add_option("--object", arguments->object, "Name of an object: why it is as it is, see --at");
+    accepts(
+        command->add_option("--object", arguments->object, "Name of an object: why it is as it is, see --at")
+            ->type_name("NAME"),
+        "the name of an object of the level");
     addNumber(*command, "--at", arguments->at, 0, 1e6, "Time in seconds, for --object");
     addNumber(*command, "--frames", arguments->frames, 1, limits::frames,
               "Frames to run, 60 are one second (default: the solution's, else 3600)");
@@ -176,14 +189,16 @@ void addWhyCommand(CLI::App& program, int& result) {
                       "Ask about the task of a demonstration, not about its goals");
     command->add_flag("--everything", arguments->everything,
                       "Also name floors and walls, which are otherwise taken for granted");
-    command->add_option("--language", arguments->language, "Of the sentences: en or de")->default_str("en");
-    addOptionalFile(*command, "--json", arguments->json,
+    addChoice(*command, "--language", arguments->language, {"en", "de"}, "Of the sentences: en or de")
+        ->default_str("en");
+    addOptionalFile(*command, "--json", arguments->json, file_kinds::json,
                     "Write one JSON object; on the terminal it replaces the words");
     addModFolders(*command, arguments->mods);
     command->footer(outputConvention);
-    command->callback([arguments, &result] {
-        takeBack(arguments->level, arguments->json, "LEVEL");
-        result = guarded([&] { return answerWhy(*arguments); });
+    command->callback([command, arguments, &work] {
+        takeBack(*command, "LEVEL", arguments->level, "--json", arguments->json);
+        checkQuestion(*arguments);
+        work = [arguments] { return answerWhy(*arguments); };
     });
 }
 

@@ -1,9 +1,11 @@
 // trembler play and trembler screenshot: the commands that draw.
 #include "game/app/commands.hpp"
 #include "game/app/mods/mods.hpp"
+#include "game/app/options/file_rules.hpp"
 #include "game/app/options/number_options.hpp"
 #include "game/app/options/outputs.hpp"
 #include "game/app/options/picture_size.hpp"
+#include "game/app/options/solution_option.hpp"
 #include "game/app/progress.hpp"
 #include "runtime/level/json/limits.hpp"
 
@@ -61,27 +63,25 @@ int takeScreenshot(ScreenshotArguments const&) {
 #else
 
 int play(PlayArguments const& arguments) {
-    if (arguments.pictures) {
-        checkFolderName("--pictures", *arguments.pictures);
-    }
-    // A level whose mods are missing is refused before a window opens.
-    auto const data = gameDataFor(arguments.level, arguments.mods);
-    // The window may show other levels, too, which have none of these mods.
-    std::optional<GameData> plain;
-    GameData const& gameData = data->mods.empty() ? *data : plain.emplace();
+    // Those of the level's mods are loaded when it is opened, so that the window can say what is wrong with
+    // them.
+    GameData const gameData;
+    std::shared_ptr<GameData const> last; // whose scripts' messages no window has shown
     ui::PlayOptions options;
     options.level = arguments.level;
-    options.ofLevel = data.get();
-    options.levelData = [&arguments](std::filesystem::path const& level) {
-        return lua::modsNamedBy(level).empty()
+    options.levelData = [&arguments, &last](std::filesystem::path const& level) {
+        last = lua::modsNamedBy(level).empty()
                    ? nullptr
                    : std::shared_ptr<GameData const>(gameDataFor(level, arguments.mods));
+        return last;
     };
     options.mods = lua::listMods(lua::modFolders(arguments.mods, {}, gameData.home));
     options.pictures = arguments.pictures.value_or("");
     options.fullscreen = arguments.fullscreen;
     int const result = ui::play(gameData, options);
-    reportScriptMessages(*data);
+    if (last != nullptr) {
+        reportScriptMessages(*last);
+    }
     return result;
 }
 
@@ -107,13 +107,14 @@ int takeScreenshot(ScreenshotArguments const& arguments) {
     ui::ScreenshotOptions options;
     options.level = arguments.level;
     options.frame = arguments.frame;
-    PictureSize const size = pictureSizeFrom(arguments.size);
+    PictureSize const size = *pictureSizeFrom(arguments.size); // checked with the other options
     options.size = {size.width, size.height};
     options.solution = arguments.solution;
     options.picture.overlays.electricity = arguments.electricity;
     options.picture.overlays.forces = arguments.forces;
     options.picture.overlays.contacts = arguments.contacts;
     options.picture.card = !arguments.bare;
+    checkSolutionStated(gameData, arguments.level, arguments.solution);
     Outputs outputs;
     readsAll(outputs, gameData);
     outputs.reads(arguments.level);
@@ -141,49 +142,50 @@ int takeScreenshot(ScreenshotArguments const& arguments) {
 
 } // namespace
 
-void addEditCommand(CLI::App& program, int& result) {
+void addEditCommand(CLI::App& program, Work& work) {
     auto const arguments = std::make_shared<PlayArguments>();
     CLI::App* const command =
         program.add_subcommand("edit", "Make or change a level, in the window; needs a display");
-    command->add_option("LEVEL", arguments->level, "Level file; it need not exist (default: a new level)");
+    accepts(
+        command->add_option("LEVEL", arguments->level, "Level file; it need not exist (default: a new level)")
+            ->type_name(""),
+        "a level file, or the name of a new one", faultOfEditedLevel);
     addModFolders(*command, arguments->mods);
     command->add_flag("--fullscreen", arguments->fullscreen, "Fill the whole screen");
-    command->callback([arguments, &result] { result = guarded([&] { return editLevels(*arguments); }); });
+    command->callback([arguments, &work] { work = [arguments] { return editLevels(*arguments); }; });
 }
 
-void addPlayCommand(CLI::App& program, int& result) {
+void addPlayCommand(CLI::App& program, Work& work) {
     auto const arguments = std::make_shared<PlayArguments>();
     CLI::App* const command = program.add_subcommand(
         "play", "Play. Without a display: play the level's first recorded solution and save a picture.");
-    command->add_option("LEVEL", arguments->level, "Level file (default: the title screen)");
-    command
-        ->add_option("--pictures", arguments->pictures,
-                     "Folder for the pictures and clips that you take (default: Trembler in your folder of "
-                     "pictures), or for the one without a display (default: .)")
-        ->type_name("DIR");
+    addLevel(*command, arguments->level, "Level file (default: the title screen)");
+    addOutputFolder(*command, "--pictures", arguments->pictures,
+                    "Folder for the pictures and clips that you take (default: Trembler in your folder of "
+                    "pictures), or for the one without a display (default: .)");
     addModFolders(*command, arguments->mods);
     command->add_flag("--fullscreen", arguments->fullscreen, "Fill the whole screen");
-    command->callback([arguments, &result] { result = guarded([&] { return play(*arguments); }); });
+    command->callback([arguments, &work] { work = [arguments] { return play(*arguments); }; });
 }
 
-void addScreenshotCommand(CLI::App& program, int& result) {
+void addScreenshotCommand(CLI::App& program, Work& work) {
     auto const arguments = std::make_shared<ScreenshotArguments>();
     CLI::App* const command = program.add_subcommand(
         "screenshot", "Draw a level at a given frame into a PNG file; needs no display");
-    command->add_option("LEVEL", arguments->level, "Level file")->required();
+    addLevel(*command, arguments->level, "Level file")->required();
     addNumber(*command, "--frame", arguments->frame, 0, limits::frames,
               "Frames to compute first, 60 are one second")
         ->default_str("0");
-    addFile(*command, "--out", arguments->out, "The PNG file to write")->required();
+    addFile(*command, "--out", arguments->out, file_kinds::png, "The PNG file to write")->required();
     addPictureSize(*command, arguments->size);
-    command->add_option("--solution", arguments->solution, "Recorded solution, by name or file");
+    addSolution(*command, arguments->solution, "Recorded solution, by name or file");
     addModFolders(*command, arguments->mods);
     command->add_flag("--electricity", arguments->electricity, "Also draw the electricity graph");
     command->add_flag("--forces", arguments->forces, "With magnetic forces");
     command->add_flag("--contacts", arguments->contacts, "With contacts");
     command->add_flag("--bare", arguments->bare, "Without title and goals");
     command->footer(outputConvention);
-    command->callback([arguments, &result] { result = guarded([&] { return takeScreenshot(*arguments); }); });
+    command->callback([arguments, &work] { work = [arguments] { return takeScreenshot(*arguments); }; });
 }
 
 } // namespace trembler

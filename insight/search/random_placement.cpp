@@ -49,14 +49,14 @@ std::vector<Area> placingAreas(LevelUnderTest const& level) {
 }
 
 int leftInToolbox(LevelUnderTest const& level, Solution const& solution, std::string const& part) {
-    int left = 0;
-    for (ToolboxEntry const& entry : level.level().toolbox) {
-        left += entry.part == part ? entry.count : 0;
+    auto const used = std::count_if(solution.placements.begin(), solution.placements.end(),
+                                    [&](Placement const& placement) { return placement.part == part; });
+    for (ToolboxEntry const& entry : level.level().toolbox) { // which has every part once
+        if (entry.part == part) {
+            return leftOf(entry.count, static_cast<int>(used));
+        }
     }
-    for (Placement const& placement : solution.placements) {
-        left -= placement.part == part ? 1 : 0;
-    }
-    return left;
+    return -static_cast<int>(used);
 }
 
 namespace {

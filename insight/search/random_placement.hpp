@@ -29,7 +29,7 @@ namespace trembler::insight {
 /// some.
 [[nodiscard]] Solution randomSolution(LevelUnderTest const& level, CounterRandom& random);
 
-/// How many of a part the toolbox has left beside what the solution places.
+/// How many of a part the toolbox has left beside what the solution places; may be unlimitedCount.
 [[nodiscard]] int leftInToolbox(LevelUnderTest const& level, Solution const& solution,
                                 std::string const& part);
 

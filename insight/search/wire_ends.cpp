@@ -38,7 +38,12 @@ bool addRandomWire(LevelUnderTest const& level, Solution& solution, CounterRando
 }
 
 void addRandomWires(LevelUnderTest const& level, Solution& solution, CounterRandom& random) {
-    for (int n = 0; n < level.level().wires; ++n) {
+    auto const* const conductors = level.world().store().findColumn<Conductor>();
+    // Without a limit: as many as one for each conductor, which connect all of them.
+    int const most = level.level().wires != unlimitedCount ? level.level().wires
+                     : conductors == nullptr               ? 0
+                                                           : static_cast<int>(conductors->size());
+    for (int n = 0; n < most; ++n) {
         if (random.chance(0.5) && !addRandomWire(level, solution, random)) {
             return;
         }

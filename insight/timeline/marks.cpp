@@ -67,6 +67,9 @@ void Marks::look(World const& world, GoalJudge const& judge) {
 
 void Marks::add(World const& world, MarkKind kind, std::vector<ObjectId> const& objects, EventId event,
                 std::string goal) {
+    if (marks_.size() >= most_ || latest_.size() >= 10 * most_) {
+        return;
+    }
     Mark mark{world.frame(), kind, {}, std::move(goal), event};
     for (ObjectId const object : objects) {
         mark.objects.push_back(world.store().nameOf(object));

@@ -7,6 +7,7 @@
 #include "runtime/trace/event.hpp"
 #include "runtime/world/world.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -54,11 +55,15 @@ public:
     /// The same thing is not marked again within this number of frames: a trembler switches many times a
     /// second.
     static constexpr std::uint64_t quiet = 15;
+    /// Later marks are left out, in a run with as many; so are those of further pairs of objects.
+    static constexpr std::size_t most = 100'000;
     /// A body that becomes this loud is marked, dB(A) at 1 m.
     static constexpr double leastLevel = 40;
     /// m/s between the centres of two objects in the frame before they touch. Slower touches, and later ones
     /// of the same two, are not marked: objects that roll, slide and settle touch all the time.
     static constexpr double leastSpeed = 1;
+
+    explicit Marks(std::size_t mostMarks = most) : most_(mostMarks) {}
 
     /// After each frame.
     void look(World const& world, GoalJudge const& judge);
@@ -84,6 +89,7 @@ private:
     void lookAtMagnets(World const& world);
     void remember(World const& world);
 
+    std::size_t most_;
     std::vector<Mark> marks_;
     std::map<Key, std::uint64_t> latest_; // frame of the last such thing, marked or not
     std::map<std::string, bool> blown_;   // fuses

@@ -24,6 +24,7 @@ void Recording::clear() {
     blocks_.clear();
     loose_.clear();
     packedBytes_ = 0;
+    freshBytes_ = 0;
     open_.clear();
 }
 
@@ -42,7 +43,8 @@ void Recording::add(World const& world, GoalJudge const& judge) {
         return;
     }
     loose_.push_back(look(world, judge));
-    if (loose_.size() >= 2 * framesInBlock) { // so the latest frames need no unpacking
+    // So the latest frames need no unpacking, unless they are those of a very large world.
+    if (loose_.size() >= 2 * framesInBlock || (freshBytes_ > mostBytes_ / 2 && loose_.size() > 2)) {
         pack();
     }
 }
@@ -75,6 +77,7 @@ void Recording::keep(std::size_t part, Words words) {
     if (holds(latest_[part], words) || (!latest_[part] && holds(beginning_[part], words))) {
         return;
     }
+    freshBytes_ += words.size() * sizeof(words.front());
     latest_[part] =
         holds(beginning_[part], words) ? nullptr : std::make_shared<Words const>(std::move(words));
 }
@@ -139,12 +142,13 @@ void Recording::lookAtGoals(GoalJudge const& judge) {
 }
 
 void Recording::pack() {
-    auto const end = loose_.begin() + framesInBlock;
+    auto const end = loose_.begin() + static_cast<std::ptrdiff_t>(std::min(framesInBlock, loose_.size() / 2));
     Block block{std::make_shared<PackedFrames const>(std::span(loose_.begin(), end)), 1};
     loose_.erase(loose_.begin(), end);
     packedBytes_ += block.packed->bytes();
     blocks_.push_back(std::move(block));
-    std::size_t const loose = 2 * looseBytes(); // by when they are packed there are twice as many
+    freshBytes_ = looseBytes();
+    std::size_t const loose = 2 * freshBytes_; // by when they are packed there are twice as many
     while (packedBytes_ + loose > mostBytes_ && blocks_.size() > 1) {
         std::size_t const before = packedBytes_;
         thin();
@@ -219,6 +223,7 @@ void Recording::forgetAfter(std::uint64_t frame) {
         std::erase_if(loose_, [&](RecordedFrame const& each) { return each.number > frame; });
     }
     std::erase_if(loose_, [&](RecordedFrame const& each) { return each.number > frame; });
+    freshBytes_ = looseBytes();
     // The next recorded values are compared with the beginning.
     std::fill(latest_.begin(), latest_.end(), nullptr);
     std::fill(versions_.begin(), versions_.end(), 0);

@@ -102,6 +102,7 @@ private:
     std::vector<Block> blocks_;           // ascending
     std::vector<RecordedFrame> loose_;    // after them; begins with frame 0
     std::size_t packedBytes_ = 0;
+    std::size_t freshBytes_ = 0; // of loose_, about: what looseBytes() counts takes time
     struct Open {
         std::shared_ptr<PackedFrames const> of;
         std::vector<RecordedFrame> frames;

@@ -2,8 +2,8 @@
 
 #include "insight/trial/level_identity.hpp"
 #include "puzzle/campaign/as_played.hpp"
+#include "puzzle/checks/checked_level.hpp"
 #include "runtime/level/build/build_world.hpp"
-#include "runtime/level/read/read_level.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -33,7 +33,7 @@ double secondsStated(nlohmann::json const& goals) {
 } // namespace
 
 LevelUnderTest::LevelUnderTest(GameData const& data, std::filesystem::path const& file)
-    : LevelUnderTest(data, loadLevel(data.registry, file), data.shortName(file)) {}
+    : LevelUnderTest(data, loadPlayable(data.registry, data.parts, file), data.shortName(file)) {}
 
 LevelUnderTest::LevelUnderTest(GameData const& data, LevelFile level, std::string name)
     : data_(data), task_(level.demonstration && !level.task.is_null()),

@@ -6,12 +6,20 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <lua.hpp>
+#include <string_view>
+#include <utility>
 
 namespace trembler::lua {
 namespace {
+
+// The world has the fields, and is none of the objects that simulations move, connect or destroy.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 1> argumentsOfTheWorld{
+    {{"setLinearGravity", "field"}}};
 
 constexpr double largestWhole = 9007199254740992.0; // 2^53: all whole numbers up to it are exact as doubles
 
@@ -36,7 +44,8 @@ public:
     /// Reads the two values that the script has given to vec2().
     int readNumbers(FieldPlace const& place, int index) {
         if (lua_type(L_, index) != LUA_TNUMBER || lua_type(L_, index + 1) != LUA_TNUMBER) {
-            refuse(place, fmt::format("is vec2 of {} and {}", kindAt(index), kindAt(index + 1)),
+            refuse(place,
+                   fmt::format("is vec2 of {} and {}", kindInWords(L_, index), kindInWords(L_, index + 1)),
                    inItsUnit(place, "vec2(x, y) of two numbers"));
         }
         putVector(place, {lua_tonumber(L_, index), lua_tonumber(L_, index + 1)});
@@ -73,6 +82,10 @@ public:
             if (!object) {
                 refuseType(place, index, "an object");
             }
+            if (!takesWorld(call_, place) &&
+                (kindOf(L_, index) == "world" || *object == store_.find("world"))) {
+                refuse(place, "is the world", "an object");
+            }
             if (!store_.alive(*object)) {
                 refuse(place, "is an object that is gone", "one that is there");
             }
@@ -107,19 +120,7 @@ private:
         put(place, vector);
     }
     [[noreturn]] void refuseType(FieldPlace const& place, int index, std::string const& expected) {
-        if (objectAt_(L_, index)) {
-            refuse(place, "is an object", inItsUnit(place, expected));
-        }
-        std::string const kind = kindOf(L_, index);
-        refuse(place, kind == "nil" ? "is nil" : fmt::format("is a {}", kind), inItsUnit(place, expected));
-    }
-    /// "a number": the kind of a value, in words.
-    [[nodiscard]] std::string kindAt(int index) const {
-        if (objectAt_(L_, index)) {
-            return "an object";
-        }
-        std::string const kind = kindOf(L_, index);
-        return kind == "nil" ? kind : "a " + kind;
+        refuse(place, "is " + kindInWords(L_, index), inItsUnit(place, expected));
     }
     static std::string inItsUnit(FieldPlace const& place, std::string const& expected) {
         return place.info.unit.empty() ? expected : fmt::format("{}, in {}", expected, place.info.unit);
@@ -187,7 +188,24 @@ private:
     CallBytes& into_;
 };
 
+/// Whether the table at an index has keys that are no texts.
+bool hasOtherKeys(lua_State* L, int index) {
+    bool other = false;
+    lua_pushnil(L);
+    while (lua_next(L, index) != 0) {
+        other = other || lua_type(L, -2) != LUA_TSTRING;
+        lua_pop(L, 1);
+    }
+    return other;
+}
+
 } // namespace
+
+bool takesWorld(CallDescription const& call, FieldPlace const& argument) {
+    return std::any_of(argumentsOfTheWorld.begin(), argumentsOfTheWorld.end(), [&](auto const& one) {
+        return one.first == call.text.name && one.second == argument.info.key;
+    });
+}
 
 void readArguments(lua_State* L, Sandbox& sandbox, Store const& store, CallDescription const& call,
                    ObjectAt const& objectAt, CallBytes& into, ArgumentForm form) {
@@ -207,6 +225,11 @@ void readArguments(lua_State* L, Sandbox& sandbox, Store const& store, CallDescr
     bool const named = !asNumbers && count == 1 && lua_type(L, 1) == LUA_TTABLE &&
                        call.arguments.size() > 1 && !objectAt(L, 1) && kindOf(L, 1) == "table";
     if (named) {
+        if (hasOtherKeys(L, 1)) {
+            sandbox.raise(
+                L, fmt::format("{} is given a table with values that have no name; expected {}{{ {} = ... }}",
+                               call.text.name, call.text.name, call.arguments.front().info.key));
+        }
         std::vector<std::string> const keys = stringKeys(L, 1);
         constexpr double chargePerKey = 50; // a table may have very many keys
         sandbox.charge(L, chargePerKey * static_cast<double>(keys.size()));

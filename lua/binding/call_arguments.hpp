@@ -37,6 +37,9 @@ enum class ArgumentForm {
 void readArguments(lua_State* L, Sandbox& sandbox, Store const& store, CallDescription const& call,
                    ObjectAt const& objectAt, CallBytes& into, ArgumentForm form = ArgumentForm::stated);
 
+/// Whether an argument that is an object may be the world. Everywhere else the world is refused.
+[[nodiscard]] bool takesWorld(CallDescription const& call, FieldPlace const& argument);
+
 /// "addForce(object, force: N)", for people.
 [[nodiscard]] std::string signatureOf(CallDescription const& call);
 

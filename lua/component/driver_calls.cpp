@@ -36,9 +36,9 @@ std::string driverCallText(std::size_t number, CallDescription const& call, Call
                 firstVector = fmt::format("a{}", position);
             }
             hasVector = true;
-            asVectors += fmt::format(
-                " if type(a{0})~='table' then return slow(...) end {1},{2}=rawget(a{0},'x'),rawget(a{0},'y')",
-                position, value, second);
+            asVectors += fmt::format(" if type(a{0})~='table' then return slow(...) end "
+                                     "{1},{2}=rawget(a{0},keyX),rawget(a{0},keyY)",
+                                     position, value, second);
             ranges(value);
             ranges(second);
             write +=
@@ -47,7 +47,7 @@ std::string driverCallText(std::size_t number, CallDescription const& call, Call
         }
         asVectors += fmt::format(" {}=a{}", value, position);
         if (argument.kind == FieldKind::object) {
-            test += fmt::format(" and ({0}==object1 or {0}==object2)", value);
+            test += fmt::format(" and {0}~=nil and ({0}==object1 or {0}==object2)", value);
             write += fmt::format(
                 " cast(ids,at+{0})[0]=cast(constIds,pointers[{1}==object1 and 0 or 1])[current[0]]",
                 argument.offset, value);
@@ -68,11 +68,15 @@ std::string driverCallText(std::size_t number, CallDescription const& call, Call
     for (std::size_t i = 1; i <= values + 1; ++i) {
         parameters += fmt::format("{}a{}", i == 1 ? "" : ",", i);
     }
-    // No argument may follow the last one that the call takes: its place must hold nil.
-    std::string const afterVectors =
-        fmt::format(" if a{}~=nil then return slow({}) end", position + 1, parameters);
+    parameters += ",..."; // of which there must be none
+    // No argument may follow the last one that the call takes: their places must hold nil.
+    std::string following;
+    for (std::size_t i = position + 1; i <= values + 1; ++i) {
+        following += fmt::format("{}a{}~=nil", following.empty() ? "" : " or ", i);
+    }
+    std::string const afterVectors = fmt::format(" if {} then return slow({}) end", following, parameters);
     std::string text = fmt::format("do local slow=slow[{0}] local b=calls[{0}]\nfunctions[{1}]=function({2})"
-                                   " local {3}",
+                                   " if select('#',...)~=0 then return slow({2}) end local {3}",
                                    number, quotedName(call.text.name), parameters, names);
     auto const replaced = [&](std::string code) {
         for (auto at = code.find("slow(...)"); at != std::string::npos; at = code.find("slow(...)", at)) {
@@ -93,8 +97,8 @@ std::string driverCallText(std::size_t number, CallDescription const& call, Call
                     test, call.size, write);
     text += fmt::format("{} return slow({}) end\n", gather, parameters);
     if (hasVector) {
-        text += fmt::format("local slow=slowNumbers[{0}] numbers[{1}]=function({2},more)"
-                            " if more~=nil then return slow({2},more) end{3} return slow({2}) end\n",
+        text += fmt::format("local slow=slowNumbers[{0}] numbers[{1}]=function({2},...)"
+                            " if select('#',...)~=0 then return slow({2},...) end{3} return slow({2}) end\n",
                             number, quotedName(call.text.name), names, gather);
     }
     return text + "end\n";

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <mutex>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -33,10 +34,22 @@ public:
         return std::exchange(messages_, {});
     }
 
+    /// A script has been applied to something.
+    void noteApplied(std::string const& script) {
+        std::lock_guard const lock(mutex_);
+        applied_.insert(script);
+    }
+    /// Whether it ever was, in any world.
+    [[nodiscard]] bool everApplied(std::string const& script) const {
+        std::lock_guard const lock(mutex_);
+        return applied_.contains(script);
+    }
+
 private:
     static constexpr std::size_t most = 1000; // if no reader takes them
-    std::mutex mutex_;
+    mutable std::mutex mutex_;
     std::vector<ScriptMessage> messages_;
+    std::set<std::string> applied_;
 };
 
 } // namespace trembler::lua

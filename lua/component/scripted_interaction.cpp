@@ -87,6 +87,9 @@ void ScriptedInteraction::run(FrameContext const& context) {
 void ScriptedInteraction::applyScript(FrameContext const& context) {
     bool const same = targets_.update(*script_, homes_);
     std::vector<Target> const& targets = targets_.all();
+    if (!targets.empty() && !std::exchange(applied_, true)) {
+        log_->noteApplied(script_->manifest.name);
+    }
     std::optional<ScriptError> failed;
     if (targets.size() > mostPairs && script_->manifest.application == Application::pairs) {
         failed = ScriptError{

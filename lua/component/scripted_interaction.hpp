@@ -56,6 +56,7 @@ private:
     std::vector<Watch> watches_; // of homes_
     bool restless_ = false;
     bool first_ = true;
+    bool applied_ = false; // it has been applied to something; noted once
     bool off_ = false;
     bool resting_ = false; // see setOn()
     // The frame of the last turn of turns_. It is no state: limits hold within a frame.

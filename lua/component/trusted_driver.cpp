@@ -44,6 +44,7 @@ bool Turns::Binding::canDrive() const {
 std::string Turns::Binding::driverText() const {
     std::string text =
         "local t=... local ffi=t.ffi local cast=ffi.cast local type,rawget,rawset=t.type,t.rawget,t.rawset\n"
+        "local select,keyX,keyY=t.select,t.keyX,t.keyY\n"
         "ffi.cdef[[typedef struct {char* bytes; int32_t used; int32_t room;} trembler_calls;"
         " typedef struct {double made; double most;} trembler_budget;]]\n"
         "local doubles,ids,bools=ffi.typeof'double*',ffi.typeof'uint64_t*',ffi.typeof'bool*'\n"
@@ -131,7 +132,7 @@ void Turns::Binding::setUpDriver(lua_State* L) {
     lua_newtable(L);
     sandbox_.pushFfi(L);
     lua_setfield(L, -2, "ffi");
-    for (char const* const name : {"type", "rawget", "rawset"}) {
+    for (char const* const name : {"type", "rawget", "rawset", "select"}) {
         lua_getglobal(L, name);
         lua_setfield(L, -2, name);
     }
@@ -140,6 +141,10 @@ void Turns::Binding::setUpDriver(lua_State* L) {
         shownCount += slot.shown.size();
     }
     pointers_.assign(3 + 2 * shownCount, nullptr);
+    sandbox_.pushVectorKeyX(L);
+    lua_setfield(L, -2, "keyX");
+    sandbox_.pushVectorKeyY(L);
+    lua_setfield(L, -2, "keyY");
     lua_pushlightuserdata(L, pointers_.data());
     lua_setfield(L, -2, "pointers");
     lua_pushlightuserdata(L, &at_);
@@ -251,6 +256,16 @@ void Turns::Binding::findRows() {
         }
         pointers_[pointer] = fresh_.data();
     }
+}
+
+bool Turns::Binding::worldIsTarget() {
+    if (!worldIsTarget_ || !context_->sameTargets) {
+        worldIsTarget_ =
+            worldId_.valid() && std::any_of(targets_->begin(), targets_->end(), [this](Target const& each) {
+                return each.first == worldId_ || each.second == worldId_;
+            });
+    }
+    return *worldIsTarget_;
 }
 
 void Turns::Binding::drive(lua_State* L, int apply) {

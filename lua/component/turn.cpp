@@ -52,6 +52,7 @@ std::optional<ScriptError> Turns::Binding::run(TurnContext const& context,
     targets_ = &targets;
     lastTargets_ = targets.size();
     at_ = 0;
+    worldId_ = context.store.find("world");
     sandbox_.onLog = context.log;
     findColumns();
     auto failed = sandbox_.turn(
@@ -94,7 +95,8 @@ void Turns::Binding::applyTo(lua_State* L) {
     use_ = nullptr;
     fillParameters(L, nullptr);
     // A traced call is recorded at once, with its cause, which compiled code cannot do.
-    if (driver_ != 0 && context_->sink == nullptr) {
+    // Nor does it refuse the world where a call takes an object.
+    if (driver_ != 0 && context_->sink == nullptr && !worldIsTarget()) {
         drive(L, apply);
         return;
     }

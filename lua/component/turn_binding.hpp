@@ -72,8 +72,9 @@ private:
     [[nodiscard]] static std::size_t upvalue(lua_State* L, int n);
     [[nodiscard]] static int keep(lua_State* L);
     static void get(lua_State* L, int reference);
-    void pushShown(lua_State* L);
-    void pushProxy(lua_State* L);
+    void pushShown(lua_State* L, std::string_view name);
+    void pushProxy(lua_State* L, std::string_view name);
+    void closeMetatable(lua_State* L, std::string_view name);
     void setUp(lua_State* L);
     void setUpHandles(lua_State* L);
     void setUpSlot(lua_State* L, std::size_t number, std::vector<std::size_t> const& required);
@@ -105,6 +106,7 @@ private:
     void setUpDriver(lua_State* L);
     [[nodiscard]] std::string driverText() const;
     void findRows();
+    [[nodiscard]] bool worldIsTarget();
     void drive(lua_State* L, int apply);
     int fillHere(lua_State* L);
 
@@ -135,6 +137,7 @@ private:
     int handleIndex(lua_State* L);
     int handleEqual(lua_State* L);
     int isAlive(lua_State* L);
+    int isSame(lua_State* L);
 
     // Parameters, the store and the frame: turn_store.cpp.
     int parameterFallback(lua_State* L);
@@ -159,6 +162,8 @@ private:
     PushObject const pushObject_ = [this](lua_State* L, ObjectId id) { pushHandle(L, id); };
     ObjectAt const objectAt_ = [this](lua_State* L, int index) { return objectAt(L, index); };
     void const* worldAddress_ = nullptr;
+    ObjectId worldId_; // of this turn; invalid if the level has none
+    std::optional<bool> worldIsTarget_;
     int handleMeta_ = 0; // references into the registry
     int parameters_ = 0;
     int parameterValues_ = 0;

@@ -54,6 +54,9 @@ bool Turns::Binding::readPlain(lua_State* L, CallPlan const& plan, char* into, A
                 return false;
             }
             ObjectId const id = idOf(address == slots_[0].address ? 0 : 1);
+            if (id == worldId_) {
+                return false; // a call may take it or not
+            }
             std::memcpy(place, &id, sizeof id);
         } else if (lua_type(L, index) == LUA_TNUMBER) {
             double const value = lua_tonumber(L, index);

@@ -33,7 +33,7 @@ std::optional<ObjectId> Turns::Binding::objectAt(lua_State* L, int index) const 
             return idOf(slot);
         }
     }
-    return address == worldAddress_ ? std::optional(context_->store.find("world")) : std::nullopt;
+    return address == worldAddress_ ? std::optional(worldId_) : std::nullopt;
 }
 
 int Turns::Binding::handleIndex(lua_State* L) {
@@ -64,7 +64,13 @@ int Turns::Binding::handleEqual(lua_State* L) {
     return 1;
 }
 
+int Turns::Binding::isSame(lua_State* L) {
+    sandbox_.checkArguments(L, "same");
+    return handleEqual(L);
+}
+
 int Turns::Binding::isAlive(lua_State* L) {
+    sandbox_.checkArguments(L, "alive");
     auto const id = objectAt(L, 1);
     lua_pushboolean(L, id && context_ != nullptr && context_->store.alive(*id) ? 1 : 0);
     return 1;

@@ -33,7 +33,7 @@ int Turns::Binding::storeChange(lua_State* L) {
     auto value = valueAt(L, sandbox_, 3);
     std::string wrong;
     if (!value) {
-        wrong = fmt::format("'{}' in the store cannot be a {}", keyAt(L, 2), kindOf(L, 3));
+        wrong = fmt::format("'{}' in the store cannot be {}", keyAt(L, 2), kindInWords(L, 3));
     } else if (ofScript) {
         wrong = context_->kept.setOfScript(field, std::move(*value));
     } else {
@@ -71,6 +71,7 @@ int Turns::Binding::missing(lua_State* L) {
 }
 
 int Turns::Binding::random(lua_State* L) {
+    sandbox_.checkArguments(L, "frame.random");
     lua_pushnumber(L, context_ == nullptr ? 0 : context_->kept.random());
     return 1;
 }

@@ -16,9 +16,9 @@ void Turns::Binding::get(lua_State* L, int reference) {
 }
 
 /// Pushes the script's view of the table on top of the stack; the table stays below it.
-void Turns::Binding::pushShown(lua_State* L) {
+void Turns::Binding::pushShown(lua_State* L, std::string_view name) {
     if (!direct_) {
-        pushProxy(L);
+        pushProxy(L, name);
         return;
     }
     if (lua_getmetatable(L, -1) == 0) {
@@ -26,24 +26,28 @@ void Turns::Binding::pushShown(lua_State* L) {
         lua_pushvalue(L, -1);
         lua_setmetatable(L, -3);
     }
-    pushFunction<&Binding::refuseChange>(L);
-    lua_setfield(L, -2, "__newindex");
-    lua_pushliteral(L, "read-only");
-    lua_setfield(L, -2, "__metatable");
+    closeMetatable(L, name);
     lua_pop(L, 1);
     lua_pushvalue(L, -1);
 }
 /// Pushes an empty table that shows the one on top of the stack, which stays below it.
-void Turns::Binding::pushProxy(lua_State* L) {
+void Turns::Binding::pushProxy(lua_State* L, std::string_view name) {
     lua_newtable(L);
     lua_newtable(L);
     lua_pushvalue(L, -3);
     lua_setfield(L, -2, "__index");
+    closeMetatable(L, name);
+    lua_setmetatable(L, -2);
+}
+/// The metatable on top of the stack is that of a table of the host: it is called `name` in messages and
+/// cannot be changed.
+void Turns::Binding::closeMetatable(lua_State* L, std::string_view name) {
     pushFunction<&Binding::refuseChange>(L);
     lua_setfield(L, -2, "__newindex");
-    lua_pushliteral(L, "read-only");
+    sandbox_.pushHostMark(L);
     lua_setfield(L, -2, "__metatable");
-    lua_setmetatable(L, -2);
+    lua_pushlstring(L, name.data(), name.size());
+    lua_setfield(L, -2, "__name");
 }
 
 void Turns::Binding::setUp(lua_State* L) {
@@ -73,7 +77,7 @@ void Turns::Binding::setUpHandles(lua_State* L) {
     lua_setfield(L, -2, "__newindex");
     pushFunction<&Binding::handleEqual>(L);
     lua_setfield(L, -2, "__eq");
-    lua_pushboolean(L, 0);
+    sandbox_.pushHostMark(L);
     lua_setfield(L, -2, "__metatable");
     handleMeta_ = keep(L);
 }
@@ -97,7 +101,7 @@ void Turns::Binding::setUpSlot(lua_State* L, std::size_t number, std::vector<std
                 slot.eager.push_back(makeEager(L, slot.shown.size(), place));
             }
         }
-        pushShown(L);
+        pushShown(L, "property");
         if (shown.required) {
             lua_pushlstring(L, property.name.data(), property.name.size());
             lua_pushvalue(L, -2);
@@ -111,7 +115,7 @@ void Turns::Binding::setUpSlot(lua_State* L, std::size_t number, std::vector<std
         }
         slot.shown.push_back(std::move(shown));
     }
-    pushShown(L);
+    pushShown(L, "object");
     slot.address = lua_topointer(L, -1);
     slot.proxy = keep(L);
     slot.fields = keep(L);
@@ -146,7 +150,7 @@ Turns::Binding::Eager Turns::Binding::makeEager(lua_State* L, std::size_t shown,
 void Turns::Binding::setUpParameters(lua_State* L) {
     lua_newtable(L);
     setFallback<&Binding::parameterFallback>(L);
-    pushShown(L);
+    pushShown(L, "params");
     parameters_ = keep(L);
     parameterValues_ = keep(L);
 }
@@ -161,7 +165,7 @@ void Turns::Binding::setUpCalls(lua_State* L) {
         pushFunction<&Binding::makeCall>(L, i);
         lua_rawset(L, -3);
     }
-    pushShown(L);
+    pushShown(L, "out");
     out_ = keep(L);
     outValues_ = keep(L);
     lua_newtable(L);
@@ -188,12 +192,14 @@ void Turns::Binding::setUpStore(lua_State* L) {
         lua_setfield(L, -2, "__index");
         pushFunction<&Binding::storeChange>(L, of);
         lua_setfield(L, -2, "__newindex");
-        lua_pushboolean(L, 0);
+        sandbox_.pushHostMark(L);
         lua_setfield(L, -2, "__metatable");
+        lua_pushliteral(L, "store");
+        lua_setfield(L, -2, "__name");
         lua_setmetatable(L, -2);
         lua_setfield(L, -2, of == 0 ? "object" : "script");
     }
-    pushShown(L);
+    pushShown(L, "store");
     store_ = keep(L);
     lua_pop(L, 1);
 }
@@ -205,7 +211,7 @@ void Turns::Binding::setUpFrame(lua_State* L) {
     lua_setfield(L, -2, "random");
     lua_pushnumber(L, 0);
     lua_setfield(L, -2, "duration"); // so that it is there before it is set
-    pushShown(L);
+    pushShown(L, "frame");
     frame_ = keep(L);
     frameValues_ = keep(L);
 }
@@ -216,7 +222,7 @@ void Turns::Binding::setUpWorld(lua_State* L) {
     sandbox_.pushSurroundings(L);
     lua_newtable(L);
     setFallback<&Binding::worldIndex>(L);
-    pushProxy(L);
+    pushProxy(L, "world");
     worldAddress_ = lua_topointer(L, -1);
     lua_pushvalue(L, -1);
     world_ = keep(L);
@@ -224,7 +230,7 @@ void Turns::Binding::setUpWorld(lua_State* L) {
     lua_pop(L, 1);
     pushFunction<&Binding::isAlive>(L);
     lua_setfield(L, -2, "alive");
-    pushFunction<&Binding::handleEqual>(L);
+    pushFunction<&Binding::isSame>(L);
     lua_setfield(L, -2, "same");
     lua_pop(L, 1);
 }

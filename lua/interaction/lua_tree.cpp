@@ -48,11 +48,8 @@ json treeOf(lua_State* L, int index, int depth) {
     }
     luaL_checkstack(L, 10, "tables in tables");
     if (kindOf(L, index) == "vector") {
-        lua_getfield(L, index, "x");
-        lua_getfield(L, index, "y");
-        json vector{{vectorKey, {lua_tonumber(L, -2), lua_tonumber(L, -1)}}};
-        lua_pop(L, 2);
-        return vector;
+        Vec2 const vector = Sandbox::of(L).vectorAt(L, index).value_or(Vec2{});
+        return json{{vectorKey, {vector.x, vector.y}}};
     }
     json list = json::array();
     json fields = json::object();

@@ -3,14 +3,15 @@
 
 #include "lua/interaction/lua_tree.hpp"
 #include "lua/interaction/manifest_reader.hpp"
+#include "lua/sandbox/limits.hpp"
+#include "lua/sandbox/source/scanner.hpp"
+#include "runtime/level/json/read_text.hpp"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cctype>
 #include <cstdlib>
-#include <fstream>
-#include <iterator>
 #include <lua.hpp>
 
 namespace trembler::lua {
@@ -18,6 +19,46 @@ namespace {
 
 bool isWordCharacter(char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+}
+
+/// Where a word first stands in a text by itself; npos: nowhere.
+std::size_t placeOf(std::string_view source, std::string_view word) {
+    for (std::size_t at = word.empty() ? std::string_view::npos : source.find(word);
+         at != std::string_view::npos; at = source.find(word, at + 1)) {
+        bool const begins = at == 0 || !isWordCharacter(source[at - 1]) || !isWordCharacter(word.front());
+        bool const ends = at + word.size() == source.size() || !isWordCharacter(source[at + word.size()]) ||
+                          !isWordCharacter(word.back());
+        if (begins && ends) {
+            return at;
+        }
+    }
+    return std::string_view::npos;
+}
+
+/// The column of a place in a text, from 1, in bytes.
+std::size_t columnOf(std::string_view source, std::size_t at) {
+    std::size_t const end = at == 0 ? std::string_view::npos : source.rfind('\n', at - 1);
+    return end == std::string_view::npos ? at + 1 : at - end;
+}
+
+/// The column of an error in a line: that of the token that LuaJIT's message names, "... near 'x'", if it
+/// stands there, else that of the line's first token. 1 if there is none.
+std::size_t columnOfError(std::string_view source, std::size_t line, std::string_view message) {
+    std::size_t const near = message.rfind(" near '");
+    std::string_view named = near == std::string_view::npos ? std::string_view() : message.substr(near + 7);
+    named.remove_suffix(named.empty() ? 0 : 1);
+    std::size_t first = 0;
+    SourceScanner scanner(source);
+    while (scanner.next() != SourceScanner::Kind::end && scanner.line() <= line) {
+        if (scanner.line() < line) {
+            continue;
+        }
+        first = first == 0 ? columnOf(source, scanner.begin()) : first;
+        if (!named.empty() && source.substr(scanner.begin(), scanner.end() - scanner.begin()) == named) {
+            return columnOf(source, scanner.begin());
+        }
+    }
+    return first == 0 ? 1 : first;
 }
 
 } // namespace
@@ -29,23 +70,18 @@ Parameter const* Manifest::parameter(std::string_view name_) const {
 }
 
 std::size_t Manifest::lineOf(std::string_view word) const {
-    for (std::size_t at = word.empty() ? std::string::npos : source.find(word); at != std::string::npos;
-         at = source.find(word, at + 1)) {
-        bool const begins = at == 0 || !isWordCharacter(source[at - 1]) || !isWordCharacter(word.front());
-        bool const ends = at + word.size() == source.size() || !isWordCharacter(source[at + word.size()]) ||
-                          !isWordCharacter(word.back());
-        if (begins && ends) {
-            return 1 + static_cast<std::size_t>(std::count(
-                           source.begin(), source.begin() + static_cast<std::ptrdiff_t>(at), '\n'));
-        }
-    }
-    return 0;
+    std::size_t const at = placeOf(source, word);
+    return at == std::string::npos
+               ? 0
+               : 1 + static_cast<std::size_t>(
+                         std::count(source.begin(), source.begin() + static_cast<std::ptrdiff_t>(at), '\n'));
 }
 
 Diagnostic Manifest::problem(std::string_view word, std::string message, std::string expected) const {
+    std::size_t const at = placeOf(source, word);
     return {.file = file,
             .line = lineOf(word),
-            .column = lineOf(word) == 0 ? std::size_t{0} : std::size_t{1},
+            .column = at == std::string::npos ? std::size_t{0} : columnOf(source, at),
             .path = "",
             .message = std::move(message),
             .expected = std::move(expected)};
@@ -72,7 +108,8 @@ Manifest readManifest(std::string source, std::string file, Problems& problems) 
             char* end = nullptr;
             char const* const number = failed->message.c_str() + name.size() + 1;
             problem.line = std::strtoul(number, &end, 10);
-            problem.column = problem.line == 0 ? 0 : 1;
+            problem.column =
+                problem.line == 0 ? 0 : columnOfError(manifest.source, problem.line, failed->message);
             if (end != number) {
                 problem.message = failed->message.substr(std::min(
                     failed->message.size(), static_cast<std::size_t>(end - failed->message.c_str()) + 2));
@@ -86,14 +123,14 @@ Manifest readManifest(std::string source, std::string file, Problems& problems) 
 }
 
 Manifest loadManifest(std::filesystem::path const& path, Problems& problems) {
-    std::ifstream file(path, std::ios::binary);
-    std::string text(std::istreambuf_iterator<char>(file), {});
-    if (!file && !file.eof()) {
-        problems.add(
-            {.file = path.string(), .path = "", .message = "cannot be read", .expected = "a script"});
+    try {
+        return readManifest(readText(path, longestSource), path.string(), problems);
+    } catch (InputError const& error) {
+        for (Diagnostic const& problem : error.diagnostics()) {
+            problems.add(problem);
+        }
         return {};
     }
-    return readManifest(std::move(text), path.string(), problems);
 }
 
 } // namespace trembler::lua

@@ -1,5 +1,7 @@
 #include "lua/mods/mod.hpp"
 
+#include "lua/mods/mod_name.hpp"
+#include "runtime/file/folder_files.hpp"
 #include "runtime/level/json/json_node.hpp"
 #include "runtime/level/json/suggestion.hpp"
 
@@ -18,24 +20,8 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t mostInteractions = 50; // of one mod: a trace has room for 256 components
 constexpr std::size_t mostNeeds = 50;
-
-std::vector<fs::path> filesIn(fs::path const& folder, std::string const& extension) {
-    std::vector<fs::path> files;
-    std::error_code error;
-    for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
-        if (at->path().extension() == extension) {
-            files.push_back(at->path());
-        }
-    }
-    std::sort(files.begin(), files.end());
-    return files;
-}
-
-bool isModName(std::string_view name) {
-    return !name.empty() && name.size() <= 40 && name.front() != '-' &&
-           std::all_of(name.begin(), name.end(),
-                       [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-'; });
-}
+constexpr std::size_t mostMods = 100;    // of one level, with those that they need
+constexpr std::size_t mostListed = 1000; // in all folders
 
 std::string textOf(MemberReader& reader, std::string const& key, std::string_view expected) {
     auto const node = reader.required(key, expected);
@@ -54,6 +40,12 @@ void readNeeds(JsonNode const& node, Mod& mod) {
 }
 
 } // namespace
+
+bool isModName(std::string_view name) {
+    return !name.empty() && name.size() <= 40 && name.front() != '-' &&
+           std::all_of(name.begin(), name.end(),
+                       [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-'; });
+}
 
 Mod readMod(fs::path const& folder, Problems& problems) {
     Mod mod;
@@ -90,15 +82,15 @@ Mod readMod(fs::path const& folder, Problems& problems) {
         }
         reader.finish();
     }
-    std::vector<fs::path> const scripts = filesIn(folder / "interactions", ".lua");
-    if (scripts.size() > mostInteractions) {
+    FolderFiles const scripts = filesIn(folder / "interactions", ".lua", mostInteractions);
+    if (scripts.leftOut > 0) {
         problems.add({.file = (folder / "interactions").string(),
                       .path = "",
-                      .message = fmt::format("{} interactions", scripts.size()),
+                      .message = fmt::format("{} interactions", scripts.files.size() + scripts.leftOut),
                       .expected = fmt::format("at most {}", mostInteractions)});
         return mod;
     }
-    for (fs::path const& script : scripts) {
+    for (fs::path const& script : scripts.files) {
         mod.interactions.push_back(loadManifest(script, problems));
     }
     return mod;
@@ -141,8 +133,12 @@ std::vector<fs::path> listMods(std::span<fs::path const> folders) {
     for (fs::path const& folder : folders) {
         std::error_code error;
         for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
-            if (fs::exists(at->path() / "mod.json", error)) {
+            std::error_code none;
+            if (fs::exists(at->path() / "mod.json", none)) {
                 found.emplace(at->path().filename().string(), at->path());
+            }
+            if (found.size() > mostListed) { // the first by name, whatever their order in the folder is
+                found.erase(std::prev(found.end()));
             }
         }
     }
@@ -168,6 +164,13 @@ std::vector<Mod> findMods(std::span<std::string const> names, std::span<fs::path
         if (!looked.insert(name).second) {
             continue;
         }
+        if (looked.size() > mostMods) {
+            problems.add({.file = by,
+                          .path = "",
+                          .message = fmt::format("the level and its mods need more than {} mods", mostMods),
+                          .expected = fmt::format("at most {}", mostMods)});
+            break;
+        }
         std::error_code error;
         auto const at = std::find_if(folders.begin(), folders.end(), [&](fs::path const& folder) {
             return isModName(name) && fs::exists(folder / name / "mod.json", error);
@@ -176,6 +179,16 @@ std::vector<Mod> findMods(std::span<std::string const> names, std::span<fs::path
             std::vector<std::string> known;
             for (fs::path const& mod : listMods(folders)) {
                 known.push_back(mod.filename().string());
+            }
+            // A folder of that name is there, but no mod may have it.
+            if (std::erase(known, name) > 0) {
+                problems.add({.file = by,
+                              .path = "",
+                              .message = fmt::format("'{}' cannot be the name of a mod", name),
+                              .expected =
+                                  "a folder, and the same \"name\" in mod.json, of at most 40 small letters, "
+                                  "digits and -"});
+                continue;
             }
             std::string places;
             for (fs::path const& folder : folders) {

@@ -1,11 +1,12 @@
 // The mod that `trembler mod new` makes: small, complete and working.
 #include "lua/mods/mod.hpp"
+#include "lua/mods/mod_name.hpp"
 #include "physics/gravity/properties.hpp"
+#include "runtime/file/folders.hpp"
 #include "runtime/file/output_file.hpp"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <stdexcept>
 #include <system_error>
 
@@ -68,18 +69,14 @@ constexpr char const* levelText = R"({{
 )";
 
 void writeInto(fs::path const& path, std::string const& text) {
-    fs::create_directories(path.parent_path());
+    makeFolder(path.parent_path());
     trembler::writeFile(path, text);
 }
 
 } // namespace
 
 void writeNewMod(fs::path const& folder, std::string const& name) {
-    bool const good = !name.empty() && name.size() <= 40 && name.front() != '-' &&
-                      std::all_of(name.begin(), name.end(), [](char c) {
-                          return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-';
-                      });
-    if (!good) {
+    if (!isModName(name)) {
         throw std::invalid_argument(
             fmt::format("'{}' is no name of a mod; expected small letters, digits and -", name));
     }

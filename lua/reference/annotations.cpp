@@ -1,6 +1,7 @@
 #include "lua/reference/annotations.hpp"
 
 #include "lua/reference/globals.hpp"
+#include "runtime/file/folders.hpp"
 #include "runtime/file/output_file.hpp"
 
 #include <fmt/format.h>
@@ -139,7 +140,7 @@ void addGlobals(std::string& text) {
     std::set<std::string> libraries;
     for (GlobalNote const& global : globalNotes()) {
         std::string const name(global.name);
-        if (name == "interaction" || name == "vec2") {
+        if (name == "interaction" || name == "vec2" || global.inApply) {
             continue; // written by hand below
         }
         std::string use(global.use);
@@ -280,7 +281,7 @@ std::string annotationText(Reference const& reference) {
 }
 
 void writeAnnotations(std::filesystem::path const& folder, Reference const& reference) {
-    std::filesystem::create_directories(folder);
+    makeFolder(folder);
     trembler::writeFile(folder / "trembler.lua", annotationText(reference));
 }
 

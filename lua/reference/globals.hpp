@@ -12,9 +12,11 @@ struct GlobalNote {
     std::string_view result; ///< the type of its result, or of itself, as editors write it; "" if it has none
     std::string_view meaning; ///< without a full stop
     std::string_view example; ///< statements that are true
+    bool inApply = false;     ///< there only while `apply` runs, in which the example holds
 };
 
-/// In the order of the page. Complete: a test compares it with the globals of the sandbox.
+/// In the order of the page. Complete: a test compares it with the globals of the sandbox, and with the
+/// functions whose arguments the host checks.
 [[nodiscard]] std::span<GlobalNote const> globalNotes();
 
 } // namespace trembler::lua

@@ -111,7 +111,9 @@ void* Memory::allocate(void* self, void* block, std::size_t before, std::size_t 
         return nullptr;
     }
     if (memory.refuses(before, wanted)) {
-        memory.exhausted_ = true;
+        if (!std::exchange(memory.exhausted_, true) && memory.onRefusal_ != nullptr) {
+            memory.onRefusal_(memory.owner_);
+        }
         return nullptr;
     }
     void* const moved = block == nullptr ? memory.take(wanted) : memory.move(block, before, wanted);

@@ -8,8 +8,10 @@ namespace trembler::lua {
 
 class Memory {
 public:
-    /// `owner` is returned by owner().
-    explicit Memory(void* owner = nullptr) : owner_(owner) {}
+    /// `owner` is returned by owner(). `onRefusal`, which may be nullptr, is called with it where something
+    /// is refused for the first time since beginTurn(); it must not use the state's memory.
+    explicit Memory(void* owner = nullptr, void (*onRefusal)(void*) = nullptr)
+        : owner_(owner), onRefusal_(onRefusal) {}
     Memory(Memory const&) = delete;
     Memory& operator=(Memory const&) = delete;
     ~Memory();
@@ -68,6 +70,7 @@ private:
     Slab* slabs_ = nullptr;
     std::size_t slabLeft_ = 0; // bytes at the beginning of the last one, behind its header
     void* owner_;
+    void (*onRefusal_)(void*);
     std::size_t used_ = 0;
     // Since beginTurn(), less the old sizes of blocks that were made larger or smaller: how often a table is
     // made again depends on where the random hashes put its keys.

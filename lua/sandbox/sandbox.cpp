@@ -27,7 +27,9 @@ CountedSource const& countedPrelude() {
 
 } // namespace
 
-Sandbox::Sandbox(ScriptLimits const& limits, Trust trust) : limits_(limits), trust_(trust), memory_(this) {
+Sandbox::Sandbox(ScriptLimits const& limits, Trust trust)
+    : limits_(limits), trust_(trust),
+      memory_(this, [](void* owner) { static_cast<Sandbox*>(owner)->noteRefusal(); }) {
     state_ = lua_newstate(Memory::allocate, &memory_);
     if (state_ == nullptr) {
         throw std::bad_alloc();
@@ -92,7 +94,12 @@ void Sandbox::open() {
         luaL_register(L, nullptr, Functions::all);
         pushString(L, joinerName);
         lua_setfield(L, -2, "joiner");
-        lua_call(L, 2, 5);
+        lua_call(L, 2, 10);
+        hiddenY_ = luaL_ref(L, LUA_REGISTRYINDEX);
+        hiddenX_ = luaL_ref(L, LUA_REGISTRYINDEX);
+        hide_ = luaL_ref(L, LUA_REGISTRYINDEX);
+        vectorMark_ = luaL_ref(L, LUA_REGISTRYINDEX);
+        hostMark_ = luaL_ref(L, LUA_REGISTRYINDEX);
         fill_ = luaL_ref(L, LUA_REGISTRYINDEX);
         vectorMeta_ = luaL_ref(L, LUA_REGISTRYINDEX);
         reset_ = luaL_ref(L, LUA_REGISTRYINDEX);
@@ -133,12 +140,24 @@ void Sandbox::showChunk(lua_State* L, std::string_view name) const {
 void Sandbox::pushVectorMeta(lua_State* L) const {
     lua_rawgeti(L, LUA_REGISTRYINDEX, vectorMeta_);
 }
+void Sandbox::pushVectorMark(lua_State* L) const {
+    lua_rawgeti(L, LUA_REGISTRYINDEX, vectorMark_);
+}
+void Sandbox::pushHostMark(lua_State* L) const {
+    lua_rawgeti(L, LUA_REGISTRYINDEX, hostMark_);
+}
+void Sandbox::pushVectorKeyX(lua_State* L) const {
+    lua_rawgeti(L, LUA_REGISTRYINDEX, source_.assignsFields ? hiddenX_ : vectorX_);
+}
+void Sandbox::pushVectorKeyY(lua_State* L) const {
+    lua_rawgeti(L, LUA_REGISTRYINDEX, source_.assignsFields ? hiddenY_ : vectorY_);
+}
 void Sandbox::pushVector(lua_State* L, double x, double y) const {
     lua_createtable(L, 0, 2);
-    lua_rawgeti(L, LUA_REGISTRYINDEX, vectorX_);
+    pushVectorKeyX(L);
     lua_pushnumber(L, x);
     lua_rawset(L, -3);
-    lua_rawgeti(L, LUA_REGISTRYINDEX, vectorY_);
+    pushVectorKeyY(L);
     lua_pushnumber(L, y);
     lua_rawset(L, -3);
     pushVectorMeta(L);
@@ -161,14 +180,23 @@ std::optional<Vec2> Sandbox::vectorAt(lua_State* L, int index) const {
     if (lua_type(L, index) != LUA_TTABLE) {
         return std::nullopt;
     }
-    lua_rawgeti(L, LUA_REGISTRYINDEX, vectorX_);
-    lua_rawget(L, index);
-    lua_rawgeti(L, LUA_REGISTRYINDEX, vectorY_);
-    lua_rawget(L, index);
-    bool const numbers = lua_type(L, -1) == LUA_TNUMBER && lua_type(L, -2) == LUA_TNUMBER;
-    Vec2 const vector{lua_tonumber(L, -2), lua_tonumber(L, -1)};
-    lua_pop(L, 2);
-    return numbers ? std::optional(vector) : std::nullopt;
+    int const table = index < 0 ? lua_gettop(L) + 1 + index : index;
+    auto const at = [&](void (Sandbox::*pushKey)(lua_State*) const, int plainKey) {
+        (this->*pushKey)(L);
+        lua_rawget(L, table);
+        if (lua_isnil(L, -1) && source_.assignsFields) { // no vector, but a table with such fields
+            lua_pop(L, 1);
+            lua_rawgeti(L, LUA_REGISTRYINDEX, plainKey);
+            lua_rawget(L, table);
+        }
+        auto const number =
+            lua_type(L, -1) == LUA_TNUMBER ? std::optional(lua_tonumber(L, -1)) : std::nullopt;
+        lua_pop(L, 1);
+        return number;
+    };
+    auto const x = at(&Sandbox::pushVectorKeyX, vectorX_);
+    auto const y = at(&Sandbox::pushVectorKeyY, vectorY_);
+    return x && y ? std::optional(Vec2{*x, *y}) : std::nullopt;
 }
 
 } // namespace trembler::lua

@@ -84,12 +84,20 @@ public:
     void showChunk(lua_State* L, std::string_view name) const;
     /// Pushes the metatable of vectors.
     void pushVectorMeta(lua_State* L) const;
+    /// Pushes what stands under __metatable in the metatables of vectors, and in those of the host's other
+    /// tables, which scripts may neither look through nor change. No script can get either value.
+    void pushVectorMark(lua_State* L) const;
+    void pushHostMark(lua_State* L) const;
+    /// Pushes the keys of a vector's coordinates: "x" and "y" or, where the script assigns to fields, two
+    /// that it cannot name.
+    void pushVectorKeyX(lua_State* L) const;
+    void pushVectorKeyY(lua_State* L) const;
     /// Pushes a vector.
     void pushVector(lua_State* L, double x, double y) const;
     /// Pushes a text for the script: one that reads as a long number in brackets (see readsAsLongNumber()).
     /// Counts it, and raises a Lua error if it is longer than longestString.
     void pushText(lua_State* L, std::string_view text);
-    /// The coordinates of a table with numbers x and y.
+    /// The coordinates of a vector, or of another table with numbers x and y.
     [[nodiscard]] std::optional<Vec2> vectorAt(lua_State* L, int index) const;
     /// Calls the function below `arguments` arguments, as the script's own code: blocks are bounded.
     void callScript(lua_State* L, int arguments, int results);
@@ -99,6 +107,8 @@ public:
     void chargeCall(lua_State* L, bool creates = false);
     /// Raises an error with the place in the script that is under way.
     [[noreturn]] void raise(lua_State* L, std::string const& message);
+    /// Raises an error if the arguments on the stack are not those of the host's function of that name.
+    void checkArguments(lua_State* L, std::string_view function);
 
     /// Receives the lines that the script logs; set before the turn. Lines beyond the limit are dropped.
     std::function<void(std::string const&)> onLog;
@@ -113,17 +123,24 @@ public:
     /// Results of reading the text of the script.
     [[nodiscard]] CountedSource const& source() const { return source_; }
     [[nodiscard]] lua_State* state() const { return state_; }
+    /// The message about a script whose functions call one another without end.
+    static constexpr std::string_view tooDeep = "the script calls itself too deeply";
     /// The sandbox of a state.
     [[nodiscard]] static Sandbox& of(lua_State* L);
 
 private:
     struct Functions;                          // those of the host that Lua calls: prelude/host_functions.hpp
     static constexpr double unlimited = 1e300; // instructions, outside of turns
-    /// "wind.lua:12: ", where the script is; empty if it is not known.
+    /// "wind.lua:12: ", where the script is; empty if it is not known. Needs no memory of the state.
     [[nodiscard]] static std::string placeOf(lua_State* L);
+    /// The calls of the script's functions that are under way, a line each, innermost first.
+    [[nodiscard]] static std::string callsOf(lua_State* L);
+    /// Called where memory is refused: notes the place.
+    void noteRefusal();
     /// Raises the error of the limit: the counter of instructions is below zero.
     [[noreturn]] void over(lua_State* L);
-    [[noreturn]] void stop(lua_State* L, std::string const& message);
+    /// `placed`: put the place in the script before the message.
+    [[noreturn]] void stop(lua_State* L, std::string const& message, bool placed = true);
     void open();
     void openLibraries(lua_State* L);
     /// Compiles a text with counters, and pushes its function.
@@ -151,8 +168,13 @@ private:
     int fill_ = 0;
     int reset_ = 0;
     int vectorMeta_ = 0;
-    int vectorX_ = 0;
+    int vectorMark_ = 0;
+    int hostMark_ = 0;
+    int hide_ = 0;
+    int vectorX_ = 0; // the keys of vectors
     int vectorY_ = 0;
+    int hiddenX_ = 0;
+    int hiddenY_ = 0;
     int ffi_ = 0;
     int counted_ = 0;   // a function that shares the counter
     int counterAt_ = 0; // the place of the counter among its upvalues
@@ -169,8 +191,11 @@ private:
     std::uint32_t logged_ = 0;
     std::string stopped_; // why a limit ended the turn; empty: none has
     bool counting_ = false;
-    bool keepsGarbage_ = false; // for the rest of the turn
-    ScriptError error_;         // of the run under way: filled by its message handler
+    bool keepsGarbage_ = false;    // for the rest of the turn
+    lua_State* running_ = nullptr; // of an untrusted script: its thread
+    std::string refusedAt_;        // where memory was refused
+    bool refusedDeep_ = false;     // with very many calls under way
+    ScriptError error_;            // of the run under way: filled by its message handler
 };
 
 } // namespace trembler::lua

@@ -1,4 +1,5 @@
 // The instructions and calls of a frame: counting them, and the errors that end a turn.
+#include "lua/sandbox/prelude/signatures.hpp"
 #include "lua/sandbox/sandbox.hpp"
 #include "lua/sandbox/stack_values.hpp"
 
@@ -73,10 +74,10 @@ void Sandbox::over(lua_State* L) {
 }
 
 // From here on every counter in the text raises the error again, so no pcall can suppress it.
-void Sandbox::stop(lua_State* L, std::string const& message) {
+void Sandbox::stop(lua_State* L, std::string const& message, bool placed) {
     if (&message != &stopped_) {
         spent_ = static_cast<std::uint64_t>(std::clamp(budget_ - left(L), 0.0, budget_));
-        stopped_ = placeOf(L) + message;
+        stopped_ = (placed ? placeOf(L) : std::string()) + message;
         setLeft(L, -1);
     }
     pushString(L, stopped_);
@@ -90,6 +91,44 @@ void Sandbox::raise(lua_State* L, std::string const& message) {
     pushString(L, whole);
     lua_error(L);
     std::abort(); // lua_error() does not return
+}
+
+void Sandbox::checkArguments(lua_State* L, std::string_view function) {
+    std::string const fault = faultOfArguments(L, hostFunction(function));
+    if (!fault.empty()) {
+        raise(L, fault);
+    }
+}
+
+void Sandbox::noteRefusal() {
+    if (running_ != nullptr && counting_ && refusedAt_.empty()) {
+        constexpr int deep = 100;
+        lua_Debug at{};
+        refusedDeep_ = lua_getstack(running_, deep, &at) != 0;
+        refusedAt_ = placeOf(running_);
+    }
+}
+
+// Lua's own traceback has addresses of the host's functions in it, and the host's functions differ between
+// trusted and untrusted scripts.
+std::string Sandbox::callsOf(lua_State* L) {
+    constexpr std::size_t mostLines = 12;
+    std::string all;
+    std::size_t lines = 0;
+    lua_Debug at{};
+    for (int level = 0; lua_getstack(L, level, &at) != 0; ++level) {
+        lua_getinfo(L, "Sl", &at);
+        if (at.source[0] != '@' || at.currentline <= 0) {
+            continue;
+        }
+        if (++lines > mostLines) {
+            return all + "...\n";
+        }
+        std::string const place = fmt::format("{}:{}", at.short_src, at.currentline);
+        all += at.linedefined <= 1 ? place + "\n"
+                                   : fmt::format("{}, in the function of line {}\n", place, at.linedefined);
+    }
+    return all;
 }
 
 std::string Sandbox::placeOf(lua_State* L) {

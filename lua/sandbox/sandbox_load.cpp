@@ -28,8 +28,20 @@ std::optional<ScriptError> Sandbox::load(std::string_view text, std::string cons
             }
             lua_error(L);
         }
-        compile(L, source_, "@" + name);
+        if (luaL_loadbuffer(L, source_.text.data(), source_.text.size(), ("@" + name).c_str()) != 0) {
+            if (luaL_loadbuffer(L, text.data(), text.size(), ("@" + name).c_str()) == 0) {
+                lua_pop(L, 1);
+            }
+            lua_error(L); // LuaJIT's message quotes the script, and not the text with the counters if that is
+                          // possible
+        }
+        lua_pushcfunction(L, Functions::over);
+        lua_call(L, 1, 1);
         bindCounter(L);
+        if (source_.assignsFields) {
+            lua_rawgeti(L, LUA_REGISTRYINDEX, hide_);
+            lua_call(L, 0, 0);
+        }
         chooseGlobals(L);
         lua_rawgeti(L, LUA_REGISTRYINDEX, globals_);
         lua_setfenv(L, -2);

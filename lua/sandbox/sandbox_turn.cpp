@@ -19,7 +19,12 @@ std::optional<ScriptError> Sandbox::protect(Body const& body) {
 // A stack keeps the size to which a script has made it grow, and how far it can grow depends on it.
 std::optional<ScriptError> Sandbox::runOnNewStack(Body const& body) {
     std::optional<ScriptError> failed;
-    auto noStack = protect([&](lua_State* L) { failed = run(lua_newthread(L), body); });
+    auto noStack = protect([&](lua_State* L) {
+        running_ = lua_newthread(L);
+        failed = run(running_, body);
+        running_ = nullptr;
+    });
+    running_ = nullptr;
     return noStack ? std::move(noStack) : std::move(failed);
 }
 
@@ -90,13 +95,18 @@ void Sandbox::finishTurn(std::optional<ScriptError>& failed) {
         if (!stopped_.empty() && failed->message.find(stopped_) == std::string::npos) {
             failed->message = stopped_; // the script has replaced the error
         } else if (stopped_.empty()) {
+            failed->traceback.clear(); // of where a script caught it and was stopped again
             failed->message =
-                fmt::format("the script needs more memory than its limits, {} bytes at a time and "
-                            "{} in a frame, or calls itself too deeply",
-                            mostMemory(), mostAllocated_);
+                refusedDeep_
+                    ? fmt::format("{}{}", refusedAt_, tooDeep)
+                    : fmt::format("{}the script needs more memory than its limits, {} bytes at a time "
+                                  "and {} in a frame",
+                                  refusedAt_, mostMemory(), mostAllocated_);
         }
     }
     stopped_.clear();
+    refusedAt_.clear();
+    refusedDeep_ = false;
     memory_.beginTurn(static_cast<std::size_t>(-1));
     memory_.setCap(mostMemory());
 }

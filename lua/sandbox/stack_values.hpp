@@ -15,7 +15,15 @@ namespace trembler::lua {
 void pushString(lua_State* L, std::string_view text);
 /// Collects the keys of the table at `index` that are strings, ascending.
 [[nodiscard]] std::vector<std::string> stringKeys(lua_State* L, int index);
-/// "a number", "a vector", "an object": the type of a value, in words.
+/// "number", "vector", "object", "world", "params": the type of a value, or which of the host's it is. Of
+/// every value of one kind the same.
 [[nodiscard]] std::string kindOf(lua_State* L, int index);
+/// "a number", "an object", "the world", "nil": the same in a sentence.
+[[nodiscard]] std::string kindInWords(lua_State* L, int index);
+/// Every value as a script may see it as a text: no address is in it, and all runs have the same. Not
+/// bounded.
+[[nodiscard]] std::string shownText(lua_State* L, int index);
+/// The number at `index` as Lua writes it.
+[[nodiscard]] std::string numberText(lua_State* L, double number);
 
 } // namespace trembler::lua

@@ -1,6 +1,7 @@
 #include "puzzle/campaign/chapter.hpp"
 
 #include "runtime/level/json/json_node.hpp"
+#include "runtime/level/json/schema_pieces.hpp"
 #include "runtime/level/read/read_texts.hpp"
 
 #include <array>
@@ -85,6 +86,8 @@ nlohmann::ordered_json chapterSchema() {
     for (std::string_view const kind : chapterKinds) {
         kinds.push_back(kind);
     }
+    Json text = json_schema::text();
+    text["description"] = "a sentence below the title";
     return Json{
         {"$schema", "https://json-schema.org/draft/2020-12/schema"},
         {"title", "A chapter of Trembler: chapter.json in a folder of levels"},
@@ -95,7 +98,7 @@ nlohmann::ordered_json chapterSchema() {
          {{"$schema", {{"type", "string"}, {"description", "for editors"}}},
           {"title",
            {{"type", "string"}, {"minLength", 1}, {"maxLength", 100}, {"description", "for people"}}},
-          {"text", {{"type", "string"}, {"description", "a sentence below the title"}}},
+          {"text", std::move(text)},
           {"order",
            {{"type", "number"},
             {"minimum", -mostOrder},

@@ -1,4 +1,4 @@
-// The level of free play: room, ground, and every part as often as a level may offer it.
+// The level of free play: a workshop, and every part and wires without a limit.
 #pragma once
 
 #include "runtime/level/model/part_library.hpp"

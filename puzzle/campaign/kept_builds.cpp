@@ -1,6 +1,5 @@
 #include "puzzle/campaign/kept_builds.hpp"
 
-#include "runtime/file/output_file.hpp"
 #include "runtime/level/json/diagnostic.hpp"
 #include "runtime/level/json/json_node.hpp"
 #include "runtime/level/read/solutions/read_solutions.hpp"
@@ -10,7 +9,6 @@
 
 #include <cctype>
 #include <optional>
-#include <system_error>
 #include <utility>
 
 namespace trembler {
@@ -27,6 +25,26 @@ std::uint64_t sumOf(std::string const& text) {
         sum = (sum ^ static_cast<unsigned char>(letter)) * 1099511628211ULL;
     }
     return sum;
+}
+
+/// The build in a text; nothing if it is none. Its document is left out, so that problems with it are not
+/// reported: the placements that fit are placed.
+std::optional<Solution> buildIn(std::string_view text) {
+    try {
+        auto const document = JsonDocument::parse(std::string(text), "build");
+        Problems problems;
+        auto build = readSolution(JsonNode(*document, document->root(), "", problems));
+        if (build) {
+            build->document = nullptr;
+        }
+        return build;
+    } catch (InputError const&) {
+        return std::nullopt;
+    }
+}
+
+bool isBuild(std::string_view text) {
+    return buildIn(text).has_value();
 }
 
 } // namespace
@@ -49,38 +67,64 @@ std::string buildOf(Session const& session) {
     return nothing ? std::string() : writeSolution(build).dump(2) + "\n";
 }
 
-void KeptBuilds::keep(std::string const& levelId, std::string const& build) const {
+void KeptBuilds::write(std::string const& levelId, std::string const& build) const {
+    KeptFile const file(fileOf(levelId), isBuild);
+    if (build.empty()) {
+        file.remove();
+    } else {
+        file.write(build);
+    }
+}
+
+void KeptBuilds::keep(std::string const& levelId, std::string const& build) {
     if (folder_.empty()) {
         return;
     }
-    fs::path const file = fileOf(levelId);
-    std::error_code error;
-    if (build.empty()) {
-        fs::remove(file, error);
-        return;
-    }
-    fs::create_directories(folder_, error); // writing the file reports it if that failed
-    writeFile(file, build);
+    waiting_[levelId] = build;
+    finish();
 }
 
-int KeptBuilds::restore(std::string const& levelId, Session& session) const {
-    std::error_code error;
-    fs::path const file = folder_.empty() ? fs::path() : fileOf(levelId);
-    if (folder_.empty() || !fs::exists(file, error)) {
+void KeptBuilds::finish() {
+    sinceTry_ = 0;
+    unwritten_.reset();
+    for (auto at = waiting_.begin(); at != waiting_.end();) {
+        try {
+            write(at->first, at->second);
+            at = waiting_.erase(at);
+        } catch (OutputError const& error) {
+            unwritten_ = error;
+            ++at;
+        }
+    }
+}
+
+void KeptBuilds::pass(double seconds) {
+    sinceTry_ += seconds;
+    if (sinceTry_ >= patience && !waiting_.empty()) {
+        finish();
+    }
+}
+
+int KeptBuilds::restore(std::string const& levelId, Session& session) {
+    if (folder_.empty()) {
         return 0;
     }
     std::optional<Solution> build;
-    try {
-        auto const document = JsonDocument::load(file);
-        Problems problems;
-        build = readSolution(JsonNode(*document, document->root(), "", problems));
-    } catch (InputError const&) {
-        return 0;
+    if (auto const waiting = waiting_.find(levelId); waiting != waiting_.end()) {
+        build = buildIn(waiting->second);
+    } else {
+        try {
+            KeptText found = KeptFile(fileOf(levelId), isBuild).read();
+            if (found.damaged) {
+                damaged_.push_back(std::move(*found.damaged));
+            }
+            build = found.text ? buildIn(*found.text) : std::nullopt;
+        } catch (InputError const&) { // it cannot be read, and so it will not be replaced
+        }
     }
     if (!build) {
         return 0;
     }
-    build->document = nullptr; // problems with it are not reported: the placements that fit are placed
     try {
         session.load(*build);
         return 0;
@@ -95,27 +139,19 @@ int KeptBuilds::restore(std::string const& levelId, Session& session) const {
 
 int BuildKeeper::restore(Session& session) {
     int const leftOut = builds_.restore(id_, session);
-    written_ = buildOf(session);
+    kept_ = buildOf(session);
     return leftOut;
 }
 
-bool BuildKeeper::pass(Session const& session, double seconds) {
+void BuildKeeper::pass(Session const& session, double seconds) {
     sinceLook_ += seconds;
     if (sinceLook_ < delay) {
-        return true;
+        return;
     }
     sinceLook_ = 0;
-    std::string build = buildOf(session);
-    if (build == written_) {
-        return true;
-    }
-    written_ = std::move(build);
-    try {
-        builds_.keep(id_, written_);
-        return true;
-    } catch (OutputError const& error) {
-        why_ = error.what();
-        return false;
+    if (std::string build = buildOf(session); build != kept_) {
+        kept_ = std::move(build);
+        builds_.keep(id_, kept_);
     }
 }
 

@@ -1,10 +1,15 @@
-// Keeps the parts and wires that a player has placed in each level: one file per level, replaced as a whole.
+// Keeps the parts and wires that a player has placed in each level: one KeptFile per level.
 #pragma once
 
 #include "puzzle/session/session.hpp"
+#include "runtime/file/kept_file.hpp"
 
 #include <filesystem>
+#include <map>
+#include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace trembler {
 
@@ -18,46 +23,62 @@ public:
     /// `folder` empty: nothing is kept (tests). It is made when the first build is kept.
     explicit KeptBuilds(std::filesystem::path folder = {}) : folder_(std::move(folder)) {}
 
+    /// What could not be written is tried again after this time, s.
+    static constexpr double patience = 5;
+
     /// The file of a level. Names of different levels give different files.
     [[nodiscard]] std::filesystem::path fileOf(std::string const& levelId) const;
-    /// Writes a build, as buildOf() states it; if nothing is built the file is removed. Even if the program
-    /// is killed meanwhile, the file is afterwards either the former or the new one. Throws OutputError if it
-    /// cannot be written.
-    void keep(std::string const& levelId, std::string const& build) const;
+    /// Writes a build, as buildOf() states it; if nothing is built the file is removed. What cannot be
+    /// written is kept in memory, and tried again by pass(): see unwritten().
+    void keep(std::string const& levelId, std::string const& build);
     /// Places the kept parts and wires, while building and with nothing placed. If the level has changed so
     /// that it does not fit as a whole, parts are placed one by one; returns how many were left out. Without
-    /// a file, or with a damaged one, nothing is placed: 0.
-    int restore(std::string const& levelId, Session& session) const;
+    /// a file nothing is placed: 0. A damaged file is moved aside, see takeDamaged(), and the last good one
+    /// taken.
+    int restore(std::string const& levelId, Session& session);
+
+    /// Why a build could not be written; nothing if all are.
+    [[nodiscard]] std::optional<OutputError> const& unwritten() const { return unwritten_; }
+    /// To be called once per picture: tries again what could not be written.
+    void pass(double seconds);
+    /// Tries again at once.
+    void finish();
+    /// The damaged files that restore() has found since the last call.
+    [[nodiscard]] std::vector<DamagedFile> takeDamaged() { return std::exchange(damaged_, {}); }
 
 private:
+    void write(std::string const& levelId, std::string const& build) const;
+
     std::filesystem::path folder_;
+    std::map<std::string, std::string> waiting_; // builds by level, which could not be written
+    std::optional<OutputError> unwritten_;
+    std::vector<DamagedFile> damaged_;
+    double sinceTry_ = 0; // s
 };
 
-/// Writes the builds of one level while it is played: soon after each change, at most `delay` seconds later.
+/// Hands on the builds of one level while it is played: soon after each change, at most `delay` seconds
+/// later.
 class BuildKeeper {
 public:
     /// How long a change may wait, s: several soon after one another, as when a part is turned, are one.
     static constexpr double delay = 1;
 
     /// The builds must outlive it.
-    BuildKeeper(KeptBuilds const& builds, std::string levelId) : builds_(builds), id_(std::move(levelId)) {}
+    BuildKeeper(KeptBuilds& builds, std::string levelId) : builds_(builds), id_(std::move(levelId)) {}
 
-    /// Places the kept parts and wires, which then count as written. See KeptBuilds::restore().
+    /// Places the kept parts and wires, which then count as kept. See KeptBuilds::restore().
     int restore(Session& session);
-    /// Compares the placed parts and wires with the file, after `seconds` more, and writes them when that is
-    /// due. Returns false if it cannot be written; `why()` then has the reason, and it is tried again after
-    /// the next change.
-    bool pass(Session const& session, double seconds);
-    /// Writes at once if anything has not been written: the level is being left.
-    bool finish(Session const& session) { return pass(session, delay); }
-    [[nodiscard]] std::string const& why() const { return why_; }
+    /// Compares the placed parts and wires with those that were kept last, after `seconds` more, and keeps
+    /// them when that is due.
+    void pass(Session const& session, double seconds);
+    /// Keeps them at once: the level is being left.
+    void finish(Session const& session) { pass(session, delay); }
 
 private:
-    KeptBuilds const& builds_;
+    KeptBuilds& builds_;
     std::string id_;
-    std::string written_;  // or given up on
+    std::string kept_;
     double sinceLook_ = 0; // s; the session is looked at once per `delay`
-    std::string why_;
 };
 
 } // namespace trembler

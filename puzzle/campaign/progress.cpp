@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <utility>
 
 namespace trembler {
 namespace {
@@ -41,13 +42,30 @@ bool CampaignProgress::markSolved(std::string const& levelId) {
 }
 
 bool CampaignProgress::addKind(std::string const& levelId, SolutionKind kind) {
+    constexpr std::size_t most = 1000; // each is compared with all others
     std::vector<SolutionKind>& kinds = levels_[levelId].kinds;
-    bool const other = std::all_of(kinds.begin(), kinds.end(),
+    bool const other = kinds.size() < most &&
+                       std::all_of(kinds.begin(), kinds.end(),
                                    [&](SolutionKind const& known) { return differInKind(known, kind); });
     if (other) {
         kinds.push_back(std::move(kind));
     }
     return other;
+}
+
+void CampaignProgress::add(CampaignProgress const& other) {
+    for (auto const& [id, theirs] : other.levels_) {
+        LevelProgress& mine = levels_[id];
+        mine.solved = mine.solved || theirs.solved;
+        // One kind may be like each of two that differ: so the longer list stays as it is.
+        std::vector<SolutionKind> fewer = theirs.kinds;
+        if (fewer.size() > mine.kinds.size()) {
+            std::swap(fewer, mine.kinds);
+        }
+        for (SolutionKind& kind : fewer) {
+            addKind(id, std::move(kind));
+        }
+    }
 }
 
 Json CampaignProgress::written() const {

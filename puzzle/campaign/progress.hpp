@@ -34,6 +34,8 @@ public:
     bool markSolved(std::string const& levelId);
     /// Notes the kind of a run that solved the level. Returns true if it differs from all found before.
     bool addKind(std::string const& levelId, SolutionKind kind);
+    /// Adds what another program has noted. No level has fewer stars afterwards than it had in either.
+    void add(CampaignProgress const& other);
     /// Forgets everything.
     void clear() { levels_.clear(); }
     [[nodiscard]] bool empty() const { return levels_.empty(); }

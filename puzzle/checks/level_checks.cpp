@@ -1,8 +1,6 @@
 #include "puzzle/checks/level_checks.hpp"
 
-#include "puzzle/goals/goal_judge.hpp"
-#include "puzzle/goals/read_goals.hpp"
-#include "runtime/level/build/build_world.hpp"
+#include "puzzle/checks/checked_level.hpp"
 #include "runtime/level/build/placing.hpp"
 #include "runtime/level/json/add_problem.hpp"
 #include "runtime/level/read/read_level.hpp"
@@ -49,14 +47,13 @@ LevelCheckup checkWholeLevel(GameData const& data, std::shared_ptr<JsonDocument 
         for (auto const& [effect, name] : detail) {
             level.detail[effect] = name;
         }
-        BuiltLevel const built = buildLevel(data.registry, level, data.parts);
-        GoalJudge const goals(level, *built.world);
-        GoalJudge const task(level, *built.world, readTask(level));
+        BuiltLevel const built = checkPlayable(data.registry, data.parts, level);
         checkup.playable = true;
         Problems problems;
         complainAboutPlacements(data, level, problems);
         complainAboutReach(data, level, *built.world, problems);
         complainAboutHopeless(data, level, *built.world, problems);
+        complainAboutMatter(data.parts, level, built, problems);
         checkup.crowded = complainAboutCrowds(level, *built.world, problems);
         problems.throwIfAny();
     } catch (InputError const& error) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "puzzle/data/game_data.hpp"
+#include "runtime/level/build/build_world.hpp"
 #include "runtime/level/model/level.hpp"
 #include "runtime/world/world.hpp"
 
@@ -25,7 +26,8 @@ struct LevelCheckup {
 
 /// Reads the level, builds its world, sets up its goals, and if all that is possible, looks for faults that
 /// make it useless: placements of recorded solutions that it does not allow, objects out of bounds, a toolbox
-/// out of reach, goals or a task that can never come true, and so many bodies in one place that it hardly
+/// out of reach, goals or a task that can never come true, materials of solids on liquids and the
+/// other way round, and so many bodies in one place that it hardly
 /// moves. Throws nothing but for lack of memory. `detail` overrides the detail levels that the level states.
 [[nodiscard]] LevelCheckup checkWholeLevel(GameData const& data,
                                            std::shared_ptr<JsonDocument const> const& document,
@@ -44,6 +46,12 @@ void complainAboutReach(GameData const& data, LevelFile const& level, World cons
 /// its first frame.
 void complainAboutHopeless(GameData const& data, LevelFile const& level, World const& world,
                            Problems& problems);
+
+/// Complains about objects, and parts of the toolbox, whose material says something else than they are: a
+/// solid of water, and a body of liquid of a solid material. Such levels can be played, and players have made
+/// some. Objects that state an appearance of their own are taken to be meant so.
+void complainAboutMatter(PartLibrary const& parts, LevelFile const& level, BuiltLevel const& built,
+                         Problems& problems);
 
 /// Complains about one body if so many lie in one place that each frame takes long, see crowdedStart(). The
 /// level can be played all the same. The world is that of the level, before its first frame. Returns whether

@@ -5,10 +5,11 @@
 #include "puzzle/campaign/chapter.hpp"
 #include "puzzle/data/effects.hpp"
 #include "puzzle/data/own_part_files.hpp"
+#include "runtime/file/folder_files.hpp"
 #include "runtime/level/build/check_composites.hpp"
+#include "runtime/level/read/folder_limits.hpp"
 #include "runtime/level/read/read_part.hpp"
 
-#include <algorithm>
 #include <cstdlib>
 #include <system_error>
 #include <utility>
@@ -81,7 +82,7 @@ GameData::GameData(std::vector<lua::Mod> loaded)
 }
 
 std::vector<fs::path> GameData::levels() const {
-    std::vector<fs::path> found;
+    FirstPaths found(limits::levelFiles);
     std::error_code error;
     for (fs::recursive_directory_iterator at(home / "levels", error), end; !error && at != end;
          at.increment(error)) {
@@ -92,11 +93,10 @@ std::vector<fs::path> GameData::levels() const {
             continue;
         }
         if (at->is_regular_file(error) && path.extension() == ".json" && !isNotALevel(path)) {
-            found.push_back(path);
+            found.add(path);
         }
     }
-    std::sort(found.begin(), found.end());
-    return found;
+    return found.sorted();
 }
 
 std::string GameData::shortName(fs::path const& level) const {

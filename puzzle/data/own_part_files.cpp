@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -15,18 +14,6 @@ namespace trembler {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::vector<fs::path> ownPartFiles(fs::path const& folder) {
-    std::vector<fs::path> files;
-    std::error_code error;
-    for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
-        if (at->path().extension() == ".json") {
-            files.push_back(at->path());
-        }
-    }
-    std::sort(files.begin(), files.end());
-    return files;
-}
 
 void append(std::vector<Diagnostic>& faults, InputError const& error) {
     faults.insert(faults.end(), error.diagnostics().begin(), error.diagnostics().end());
@@ -58,10 +45,15 @@ std::vector<Diagnostic> addIfUsable(PartLibrary& library, PartDefinition const& 
 
 } // namespace
 
-std::vector<Diagnostic> addOwnParts(Registry const& registry, fs::path const& folder, PartLibrary& library) {
+std::vector<Diagnostic> addOwnParts(Registry const& registry, fs::path const& folder, PartLibrary& library,
+                                    PartLimits const& most) {
     std::vector<Diagnostic> faults;
     std::vector<PartDefinition> left;
-    for (fs::path const& file : folder.empty() ? std::vector<fs::path>() : ownPartFiles(folder)) {
+    std::error_code error;
+    if (folder.empty() || !fs::exists(folder, error)) {
+        return faults;
+    }
+    for (fs::path const& file : partFiles(folder, faults, most)) {
         try {
             left.push_back(readPart(registry, JsonDocument::load(file)));
         } catch (InputError const& error) {

@@ -3,6 +3,7 @@
 
 #include "runtime/level/json/diagnostic.hpp"
 #include "runtime/level/model/part_library.hpp"
+#include "runtime/level/read/read_part.hpp"
 #include "runtime/world/registry.hpp"
 
 #include <filesystem>
@@ -12,8 +13,9 @@ namespace trembler {
 
 /// Adds the parts of a folder that can be used, in the order of their files; they may consist of others, and
 /// of one another. Returns the faults of the others, among them a name that another part has, with both
-/// files. It is no fault if there is no such folder.
-[[nodiscard]] std::vector<Diagnostic> addOwnParts(Registry const& registry,
-                                                  std::filesystem::path const& folder, PartLibrary& library);
+/// files; and what the folder holds beyond `most`. It is no fault if there is no such folder.
+[[nodiscard]] std::vector<Diagnostic>
+addOwnParts(Registry const& registry, std::filesystem::path const& folder, PartLibrary& library,
+            PartLimits const& most = {.files = 500, .bytes = limits::partBytes});
 
 } // namespace trembler

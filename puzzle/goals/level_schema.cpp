@@ -4,6 +4,7 @@
 #include "puzzle/goals/judging/object_finder.hpp"
 #include "puzzle/goals/reading/schema_pieces.hpp"
 #include "runtime/level/json/limits.hpp"
+#include "runtime/level/json/schema_pieces.hpp"
 #include "runtime/level/write/schema.hpp"
 
 #include <fmt/format.h>
@@ -27,8 +28,8 @@ Json conditionSchema(std::string const& key, Json body) {
                           {"maximum", 3600},
                           {"description", "seconds for which it must hold without interruption"}};
     members["id"] = goal_schema::reference("name");
-    members["text"] =
-        Json{{"type", "string"}, {"description", "text for the player; left out: made from the condition"}};
+    members["text"] = json_schema::text();
+    members["text"]["description"] = "text for the player; left out: made from the condition";
     return goal_schema::strictObject(std::move(members), {key});
 }
 

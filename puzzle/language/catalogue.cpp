@@ -1,10 +1,11 @@
 #include "puzzle/language/catalogue.hpp"
 
+#include "runtime/level/json/json_document.hpp"
+
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>
-#include <fstream>
 #include <optional>
 #include <system_error>
 
@@ -14,8 +15,11 @@ namespace {
 namespace fs = std::filesystem;
 
 nlohmann::json jsonIn(fs::path const& file) {
-    std::ifstream in(file);
-    return nlohmann::json::parse(in, nullptr, false);
+    try {
+        return nlohmann::json::parse(JsonDocument::readText(file), nullptr, false);
+    } catch (InputError const&) { // no texts: what they translate is shown in English
+        return nlohmann::json::value_t::discarded;
+    }
 }
 
 using TextMap = std::map<std::string, std::string, std::less<>>;

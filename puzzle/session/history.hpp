@@ -1,6 +1,7 @@
-// Unlimited undo and redo.
+// Undo and redo.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -18,6 +19,12 @@ public:
         states_.resize(cursor_ + 1);
         states_.push_back(std::move(next));
         ++cursor_;
+    }
+    /// Forgets the oldest states beyond `most` that can be undone.
+    void forgetBefore(std::size_t most) {
+        std::size_t const gone = cursor_ - std::min(cursor_, most);
+        states_.erase(states_.begin(), states_.begin() + static_cast<std::ptrdiff_t>(gone));
+        cursor_ -= gone;
     }
     [[nodiscard]] bool canUndo() const { return cursor_ > 0; }
     [[nodiscard]] bool canRedo() const { return cursor_ + 1 < states_.size(); }

@@ -35,7 +35,7 @@ std::vector<ToolboxSlot> Placements::toolbox() const {
     }
     std::vector<ToolboxSlot> slots;
     for (ToolboxEntry const& entry : level_.toolbox) {
-        slots.push_back({entry.part, entry.count, entry.count - used[entry.part]});
+        slots.push_back({entry.part, entry.count, leftOf(entry.count, used[entry.part])});
     }
     return slots;
 }

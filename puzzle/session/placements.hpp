@@ -23,7 +23,7 @@ struct PlacedPart {
 /// One compartment of the toolbox.
 struct ToolboxSlot {
     std::string part;
-    int total = 0;
+    int total = 0; ///< may be unlimitedCount, as `left` is then
     int left = 0;
 };
 
@@ -70,6 +70,8 @@ public:
 
     /// Makes `next` the current list; undo() returns to the previous one.
     void keep(List next) { history_.change(std::move(next)); }
+    /// Forgets the oldest lists beyond `most` that undo() can return to.
+    void forgetBefore(std::size_t most) { history_.forgetBefore(most); }
     [[nodiscard]] bool canUndo() const { return history_.canUndo(); }
     [[nodiscard]] bool canRedo() const { return history_.canRedo(); }
     bool undo() { return history_.undo(); }

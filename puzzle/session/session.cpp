@@ -98,6 +98,13 @@ Verdict Session::check(Placement const& placement, std::optional<int> ignoring) 
                              ignoring ? objectsOf(*ignoring) : std::vector<ObjectId>());
 }
 
+void Session::forgetOldest() {
+    std::size_t const each = placements_.now().size() + wires_.now().size() + 1; // in one state
+    std::size_t const states = std::clamp(mostUndoneEntries / each, leastUndo, mostUndo);
+    placements_.forgetBefore(states);
+    wires_.forgetBefore(states);
+}
+
 bool Session::keep(std::optional<Placements::List> next, std::vector<LaidWire> wires) {
     if (!next) {
         return false;
@@ -109,6 +116,7 @@ bool Session::keep(std::optional<Placements::List> next, std::vector<LaidWire> w
     }
     placements_.keep(std::move(*next));
     wires_.change(std::move(wires));
+    forgetOldest();
     solution_ = {}; // its inputs belong to the placements that it was loaded with
     use(std::move(run));
     return true;
@@ -273,6 +281,7 @@ void Session::load(Solution const& solution) {
     problems.throwIfAny();
     placements_.keep(std::move(next));
     wires_.change(std::move(wires));
+    forgetOldest();
     solution_ = Playback(solution.inputs, solution.changes);
     use(std::move(run));
 }

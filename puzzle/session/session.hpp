@@ -79,15 +79,20 @@ public:
     // Wires. They are edits like those of parts, with the same undo; a wire is removed with a part at its
     // end.
     [[nodiscard]] std::vector<LaidWire> const& wires() const { return wires_.now(); }
-    /// How many more wires the toolbox has.
-    [[nodiscard]] int wiresLeft() const { return level_.wires - static_cast<int>(wires().size()); }
+    /// How many more wires the toolbox has; may be unlimitedCount.
+    [[nodiscard]] int wiresLeft() const { return leftOf(level_.wires, static_cast<int>(wires().size())); }
     /// Whether a wire may be laid between two objects of world().
     [[nodiscard]] Verdict checkWire(ObjectId a, ObjectId b) const;
     /// False if checkWire() refuses it.
     bool layWire(ObjectId a, ObjectId b);
     /// Puts a wire back that the player has laid; false if there is none.
     bool takeWire(ObjectId a, ObjectId b);
+    /// Goes back by up to mostUndo changes; by fewer, but at least leastUndo, if there are so many parts that
+    /// the states have more than mostUndoneEntries together.
     bool undo();
+    static constexpr std::size_t mostUndo = 1000;
+    static constexpr std::size_t leastUndo = 10;
+    static constexpr std::size_t mostUndoneEntries = 1'000'000; ///< placements and wires
     bool redo();
     [[nodiscard]] bool canUndo() const { return building() && placements_.canUndo(); }
     [[nodiscard]] bool canRedo() const { return building() && placements_.canRedo(); }
@@ -177,6 +182,8 @@ private:
     /// The wires of a solution. Throws InputError if the level does not allow them.
     [[nodiscard]] std::vector<LaidWire> wiresOf(Solution const& solution,
                                                 Placements::List const& placements) const;
+    /// Limits the memory of undo().
+    void forgetOldest();
     /// Rebuilds the run after undo and redo.
     void placedOtherwise();
     void use(std::unique_ptr<LevelRun> run);

@@ -1,5 +1,6 @@
 // The wires that the player lays while building.
 #include "puzzle/session/session.hpp"
+#include "puzzle/session/wire_rules.hpp"
 #include "runtime/level/json/add_problem.hpp"
 
 #include <fmt/format.h>
@@ -29,16 +30,7 @@ Verdict Session::checkWire(ObjectId a, ObjectId b) const {
             ObjectId const y = world().store().find(wire.b);
             return (x == a && y == b) || (x == b && y == a);
         });
-    if (laid || given) {
-        return {false, "There is a wire between them already."};
-    }
-    for (Connector const& connector : registry_.connectors()) {
-        if (connector.kind == playersWire) {
-            auto const why = connector.refusal(world().store(), a, b);
-            return why ? Verdict{false, *why} : Verdict{};
-        }
-    }
-    return {false, "There is no electricity in this program."};
+    return wireVerdict(registry_, world().store(), a, b, laid || given);
 }
 
 bool Session::layWire(ObjectId a, ObjectId b) {

@@ -1,6 +1,7 @@
 #include "puzzle/solutions/solution_file.hpp"
 
 #include "runtime/level/json/add_problem.hpp"
+#include "runtime/level/json/suggestion.hpp"
 #include "runtime/level/model/change_fault.hpp"
 #include "runtime/level/read/solutions/check_inputs.hpp"
 #include "runtime/level/read/solutions/read_solutions.hpp"
@@ -9,6 +10,7 @@
 
 #include <optional>
 #include <stdexcept>
+#include <vector>
 
 namespace trembler {
 
@@ -38,13 +40,13 @@ Solution findOrLoadSolution(Registry const& registry, LevelFile const& level, st
     }
     std::error_code error;
     if (!std::filesystem::exists(nameOrFile, error)) {
-        std::string names;
+        std::vector<std::string> names;
         for (Solution const& solution : level.solutions) {
-            names += (names.empty() ? "'" : ", '") + solution.name + "'";
+            names.push_back(solution.name);
         }
-        throw std::invalid_argument(
-            fmt::format("there is neither a file nor a recorded solution '{}'; the level's solutions are: {}",
-                        nameOrFile, names.empty() ? "none" : names));
+        throw std::invalid_argument(fmt::format(
+            "there is neither a file nor a recorded solution of this name{}; the level's solutions are: {}",
+            didYouMean(nameOrFile, names), names.empty() ? "none" : listed(names)));
     }
     return loadSolution(registry, level, nameOrFile);
 }

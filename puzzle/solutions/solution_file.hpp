@@ -16,7 +16,7 @@ namespace trembler {
 
 /// The solution of that name in the level; else that of the file of that name, which holds one solution in
 /// the form of a level file. Throws InputError if the file is wrong; std::invalid_argument, listing the
-/// level's solutions, if there is neither.
+/// level's solutions but not naming the one looked for, if there is neither.
 [[nodiscard]] Solution findOrLoadSolution(Registry const& registry, LevelFile const& level,
                                           std::string const& nameOrFile);
 

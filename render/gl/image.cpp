@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <memory>
+#include <sstream>
 #include <stdexcept>
+#include <utility>
 
 namespace trembler::render {
 
@@ -27,18 +29,32 @@ Pixel Image::at(int x, int y) const {
     return {bytes_[first], bytes_[first + 1], bytes_[first + 2], bytes_[first + 3]};
 }
 
-void writePng(Image const& image, OutputFile& file) {
+namespace {
+
+/// `called`: what is to be written, for messages.
+void encodePng(Image const& image, std::ostream& out, std::string const& called) {
     auto const [width, height] = image.size();
     if (width == 0 || height == 0) {
-        throw RenderError("An empty picture cannot be written to " + file.target().string() + ".");
+        throw RenderError("An empty picture cannot be written to " + called + ".");
     }
-    auto const put = [](void* out, void* bytes, int count) {
-        static_cast<std::ostream*>(out)->write(static_cast<char const*>(bytes), count);
+    auto const put = [](void* stream, void* bytes, int count) {
+        static_cast<std::ostream*>(stream)->write(static_cast<char const*>(bytes), count);
     };
-    if (stbi_write_png_to_func(put, &file.stream(), width, height, 4, image.bytes().data(), width * 4) == 0) {
-        throw RenderError("The picture for " + file.target().string() +
-                          " could not be made: there is not enough memory.");
+    if (stbi_write_png_to_func(put, &out, width, height, 4, image.bytes().data(), width * 4) == 0) {
+        throw RenderError("The picture for " + called + " could not be made: there is not enough memory.");
     }
+}
+
+} // namespace
+
+void writePng(Image const& image, OutputFile& file) {
+    encodePng(image, file.stream(), file.target().string());
+}
+
+std::string pngOf(Image const& image) {
+    std::ostringstream out;
+    encodePng(image, out, "a file");
+    return std::move(out).str();
 }
 
 void writePng(Image const& image, std::filesystem::path const& file) {

@@ -59,16 +59,20 @@ void AnimatedWebp::add(Image const& image, std::int64_t milliseconds) {
     ++pictures_;
 }
 
-void AnimatedWebp::write(OutputFile& file, std::int64_t milliseconds) {
+std::string AnimatedWebp::bytes(std::int64_t milliseconds) {
     WebPData data;
     WebPDataInit(&data);
     if (WebPAnimEncoderAdd(encoder_->encoder, nullptr, static_cast<int>(milliseconds), nullptr) == 0 ||
         WebPAnimEncoderAssemble(encoder_->encoder, &data) == 0) {
         encoder_->refuse();
     }
-    file.stream().write(reinterpret_cast<char const*>(data.bytes), // NOLINT
-                        static_cast<std::streamsize>(data.size));
+    std::string content(reinterpret_cast<char const*>(data.bytes), data.size); // NOLINT
     WebPDataClear(&data);
+    return content;
+}
+
+void AnimatedWebp::write(OutputFile& file, std::int64_t milliseconds) {
+    file.stream() << bytes(milliseconds);
 }
 
 } // namespace trembler::render

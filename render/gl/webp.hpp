@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <string>
 
 namespace trembler::render {
 
@@ -29,6 +30,8 @@ public:
     /// can be added afterwards. Throws RenderError if there is no picture. Errors of writing are reported by
     /// the file when it is committed.
     void write(OutputFile& file, std::int64_t milliseconds);
+    /// The same as the content of a file.
+    [[nodiscard]] std::string bytes(std::int64_t milliseconds);
 
 private:
     struct Encoder;

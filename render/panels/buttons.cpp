@@ -84,7 +84,7 @@ bool bigButton(char const* label, ButtonOptions const& options) {
     if (options.width > 0) {
         width = scaled(options.width);
     } else if (options.width < 0) {
-        width = std::max(width, ImGui::GetContentRegionAvail().x);
+        width = std::max(content + scaled(6), ImGui::GetContentRegionAvail().x);
     }
     ImGui::BeginDisabled(!options.enabled);
     bool const clicked = ImGui::InvisibleButton(label, {width, text.y + scaled(24)});

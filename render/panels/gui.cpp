@@ -51,6 +51,7 @@ Gui::Gui(Window& window, GuiOptions const& options) : window_(window) {
     io.LogFilename = nullptr;
     io.ConfigInputTextCursorBlink = !options.steady;
     io.ConfigWindowsMoveFromTitleBarOnly = true;
+    io.ConfigDragClickToInputText = true; // one click on a number begins to type
     backends_ = std::make_unique<Backends>(window);
     theme_.scale = 0; // so that the first frame loads style and letters
     followScale();

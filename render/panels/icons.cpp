@@ -138,6 +138,59 @@ void lines(IconPen const& pen) {
     }
 }
 
+/// A drop of water.
+void drop(IconPen const& pen) {
+    pen.dot(0, 0.26F, 0.58F);
+    pen.triangle(0, -0.92F, 0.52F, 0.02F, -0.52F, 0.02F);
+}
+
+/// A quaver.
+void note(IconPen const& pen) {
+    pen.dot(-0.26F, 0.56F, 0.32F);
+    pen.line(0.02F, 0.56F, 0.02F, -0.78F);
+    pen.line(0.02F, -0.78F, 0.56F, -0.30F);
+}
+
+/// Bricks in two courses.
+void wall(IconPen const& pen) {
+    pen.frame(-0.86F, -0.60F, 0.86F, 0.62F, 0.1F);
+    pen.line(-0.80F, 0, 0.80F, 0);
+    pen.line(0, -0.54F, 0, 0);
+    pen.line(-0.42F, 0, -0.42F, 0.56F);
+    pen.line(0.42F, 0, 0.42F, 0.56F);
+}
+
+/// A ball beside a box.
+void solids(IconPen const& pen) {
+    pen.dot(-0.40F, 0.36F, 0.44F);
+    pen.block(0.06F, -0.70F, 0.84F, 0.80F);
+}
+
+void gridLines(IconPen const& pen) {
+    for (float const x : std::array{-0.72F, 0.12F}) {
+        for (float const y : std::array{-0.72F, 0.12F}) {
+            pen.block(x, y, x + 0.60F, y + 0.60F);
+        }
+    }
+}
+
+void drawGroupSign(IconPen const& pen, Icon icon) {
+    switch (icon) {
+    case Icon::Drop:
+        return drop(pen);
+    case Icon::Note:
+        return note(pen);
+    case Icon::Wall:
+        return wall(pen);
+    case Icon::Solids:
+        return solids(pen);
+    case Icon::Grid:
+        return gridLines(pen);
+    default:
+        return;
+    }
+}
+
 void drawTransport(IconPen const& pen, Icon icon) {
     switch (icon) {
     case Icon::Slower:
@@ -282,6 +335,7 @@ void drawIcon(ImDrawList& list, Icon icon, ImVec2 centre, float size, ImU32 colo
     default:
         drawTransport(pen, icon);
         drawSign(pen, icon);
+        drawGroupSign(pen, icon);
     }
 }
 

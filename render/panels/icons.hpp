@@ -47,6 +47,11 @@ enum class Icon : std::uint8_t {
     Curve,
     Repeat,
     GoOn,
+    Drop,
+    Note,
+    Wall,
+    Solids,
+    Grid,
 };
 
 /// Draws the icon within a square of `size` pixels around `centre`.

@@ -3,6 +3,7 @@
 #include "render/draw/palette.hpp"
 #include "render/panels/icons.hpp"
 #include "render/panels/theme.hpp"
+#include "runtime/file/cut_text.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -16,6 +17,7 @@ namespace {
 using namespace palette;
 
 constexpr std::size_t mostToasts = 5;
+constexpr std::size_t mostBytes = 1000; // of one: about 25 lines
 constexpr double fadeSeconds = 0.25;
 // Pixels at UI scale 1.
 constexpr float markSize = 26;
@@ -108,7 +110,7 @@ void Toasts::add(std::string text, ToastKind kind, double seconds) {
     if (toasts_.size() == mostToasts) {
         toasts_.pop_front();
     }
-    toasts_.push_back({std::move(text), kind, std::clamp(seconds, 0.5, 60.0), 0});
+    toasts_.push_back({cutText(std::move(text), mostBytes), kind, std::clamp(seconds, 0.5, 60.0), 0});
 }
 
 void Toasts::draw(double seconds, std::span<Rect const> kept) {

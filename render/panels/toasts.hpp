@@ -16,7 +16,7 @@ enum class ToastKind : std::uint8_t { News, Success, Trouble };
 class Toasts {
 public:
     /// Shown for `seconds` (0.5 to 60, else clamped), under the toasts that are shown already. The oldest is
-    /// removed when there are five.
+    /// removed when there are five. Of a longer text the first 1,000 bytes are shown.
     void add(std::string text, ToastKind kind = ToastKind::News, double seconds = 4);
 
     /// Draws them near the top of the window and lets `seconds` pass; between Gui::beginFrame and endFrame.

@@ -35,8 +35,14 @@ Extent extentOf(Area const& area) {
     return around;
 }
 
-void drawPlacingArea(Canvas& canvas, Area const& area) {
+void drawPlacingArea(Canvas& canvas, Area const& area, bool faint) {
     std::vector<Point> const outline = outlineOf(area);
+    if (faint) {
+        drawTint(canvas, outline, palette::accent, 0.025F);
+        dashed(canvas, outline, true, canvas.metres(4), canvas.metres(7),
+               {.colour = palette::accent, .pixels = 1.2F, .alpha = 0.38F});
+        return;
+    }
     drawTint(canvas, outline, palette::accent, 0.05F);
     hatch(canvas, outline, {}, 0.75 * std::numbers::pi, canvas.metres(13),
           {.colour = palette::accent, .pixels = 1.F, .alpha = 0.20F});

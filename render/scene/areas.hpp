@@ -14,8 +14,9 @@ namespace trembler::render {
 /// The smallest rectangle around it.
 [[nodiscard]] Extent extentOf(Area const& area);
 
-/// Softly hatched: parts may be placed here. Draw it under everything else.
-void drawPlacingArea(Canvas& canvas, Area const& area);
+/// Parts may be placed here: softly hatched, or, if `faint`, as long as none is held, with a thin
+/// outline only. Draw it under everything else.
+void drawPlacingArea(Canvas& canvas, Area const& area, bool faint = false);
 
 /// A region that a goal is about.
 struct GoalRegion {

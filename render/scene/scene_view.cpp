@@ -16,7 +16,7 @@ namespace {
 
 void drawGround(Canvas& canvas, SceneOptions const& options) {
     for (Area const& area : options.placing) {
-        drawPlacingArea(canvas, area);
+        drawPlacingArea(canvas, area, options.faintPlacing);
     }
     for (GoalRegion const& goal : options.goals) {
         drawGoalRegion(canvas, goal);

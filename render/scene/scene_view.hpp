@@ -35,6 +35,7 @@ struct SceneOptions {
     std::span<ObjectId const> flattened{};
     Overlays overlays{};
     std::span<Area const> placing{};     ///< where parts may be placed
+    bool faintPlacing = false;           ///< those are only hinted at
     std::span<GoalRegion const> goals{}; ///< of goals
     std::span<Ripple const> ripples{};   ///< of sounding objects
     HandPlaces hands{};                  ///< where the hands are drawn

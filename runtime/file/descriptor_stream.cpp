@@ -1,10 +1,11 @@
 #include "runtime/file/descriptor_stream.hpp"
 
+#include "runtime/file/file_calls.hpp"
 #include "runtime/file/visible_text.hpp"
 
 #include <algorithm>
 #include <cerrno>
-#include <unistd.h>
+#include <sys/types.h>
 
 namespace trembler {
 
@@ -52,7 +53,7 @@ bool DescriptorBuffer::writeOut(bool last) {
 
 bool DescriptorBuffer::writeAll(std::string_view bytes) {
     while (error_ == 0 && !bytes.empty()) {
-        ssize_t const written = ::write(descriptor_, bytes.data(), bytes.size());
+        ssize_t const written = fileCalls().write(descriptor_, bytes.data(), bytes.size());
         if (written > 0) {
             bytes.remove_prefix(static_cast<std::size_t>(written));
         } else if (errno != EINTR) {

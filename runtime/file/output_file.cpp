@@ -1,6 +1,8 @@
 #include "runtime/file/output_file.hpp"
 
 #include "runtime/file/descriptor_stream.hpp"
+#include "runtime/file/file_calls.hpp"
+#include "runtime/file/folders.hpp"
 
 #include <fmt/format.h>
 
@@ -32,9 +34,9 @@ std::string descriptorPath(int descriptor) {
 /// Opens a file without a name; -1 if the file system does not support such files, or cannot name them later.
 int openUnnamed(fs::path const& folder) {
 #ifdef O_TMPFILE
-    int const made = ::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, usualMode);
+    int const made = fileCalls().open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, usualMode);
     if (made >= 0 && ::access(descriptorPath(made).c_str(), F_OK) != 0) {
-        ::close(made);
+        fileCalls().close(made);
         return -1;
     }
     return made;
@@ -50,7 +52,17 @@ fs::path nameBeside(fs::path const& place, unsigned attempt) {
 
 constexpr unsigned mostAttempts = 10'000;
 
+/// Whether a file system has no hard links, or not of this file.
+bool cannotLink(int error) {
+    return error == EPERM || error == EOPNOTSUPP || error == ENOSYS || error == EMLINK || error == EXDEV;
+}
+
 } // namespace
+
+OutputError::OutputError(fs::path file, int error)
+    : std::runtime_error(
+          fmt::format("{}: cannot be written: {}", file.string(), std::generic_category().message(error))),
+      file_(std::move(file)), error_(error) {}
 
 class OutputFile::Stream {
 public:
@@ -75,7 +87,7 @@ OutputFile::OutputFile(fs::path target, Content content) : target_(std::move(tar
         refuse(errno);
     }
     if (there && !S_ISREG(is.st_mode)) { // a pipe or a device; for a folder open() reports the error
-        descriptor_ = ::open(place.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY);
+        descriptor_ = fileCalls().open(place.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY, 0);
         if (descriptor_ < 0) {
             refuse(errno);
         }
@@ -87,17 +99,22 @@ OutputFile::OutputFile(fs::path target, Content content) : target_(std::move(tar
     place_ = place;
     openBeside();
     if (there) {
-        ::fchmod(descriptor_, is.st_mode & 07777U);
+        fileCalls().fchmod(descriptor_, is.st_mode & 07777U);
     }
+}
+
+OutputFile::OutputFile(InFolder, fs::path folder, Content content)
+    : target_(std::move(folder)), place_(target_ / "new"), content_(content) {
+    openBeside();
 }
 
 OutputFile::~OutputFile() {
     stream_.reset();
     if (descriptor_ >= 0 && !isStandardOutput()) {
-        ::close(descriptor_);
+        fileCalls().close(descriptor_);
     }
     if (!named_.empty()) {
-        ::unlink(named_.c_str());
+        fileCalls().unlink(named_.c_str());
     }
 }
 
@@ -105,7 +122,7 @@ void OutputFile::openBeside() {
     descriptor_ = openUnnamed(folderOf(place_));
     for (unsigned attempt = 0; descriptor_ < 0 && attempt < mostAttempts; ++attempt) {
         fs::path const name = nameBeside(place_, attempt);
-        descriptor_ = ::open(name.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, usualMode);
+        descriptor_ = fileCalls().open(name.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, usualMode);
         if (descriptor_ >= 0) {
             named_ = name;
         } else if (errno != EEXIST) {
@@ -139,49 +156,105 @@ void OutputFile::check() {
     }
 }
 
-void OutputFile::commit() {
+void OutputFile::synchronise() {
     if (stream_) {
         stream_->out.flush();
     }
     check();
+    // A pipe or a device may have no storage to synchronise with.
+    if (!std::exchange(synchronised_, true) && !isStandardOutput() && fileCalls().fsync(descriptor_) != 0 &&
+        !place_.empty()) {
+        refuse(errno);
+    }
+}
+
+void OutputFile::giveName() {
+    if (!named_.empty()) {
+        return;
+    }
+    unsigned attempt = 0;
+    fs::path name = nameBeside(place_, attempt);
+    while (fileCalls().link(descriptorPath(descriptor_).c_str(), name.c_str()) != 0) {
+        if (errno != EEXIST || ++attempt == mostAttempts) {
+            refuse(errno);
+        }
+        name = nameBeside(place_, attempt);
+    }
+    named_ = name;
+}
+
+void OutputFile::closeDescriptor() {
+    stream_.reset();
+    if (fileCalls().close(std::exchange(descriptor_, -1)) != 0) {
+        refuse(errno);
+    }
+}
+
+void OutputFile::commit() {
+    synchronise();
     if (isStandardOutput()) {
         return;
     }
-    // A pipe or a device may have no storage to synchronise with.
-    if (::fsync(descriptor_) != 0 && !place_.empty()) {
-        refuse(errno);
+    if (!place_.empty()) {
+        giveName();
     }
-    if (!place_.empty() && named_.empty()) {
-        unsigned attempt = 0;
-        fs::path name = nameBeside(place_, attempt);
-        while (::linkat(AT_FDCWD, descriptorPath(descriptor_).c_str(), AT_FDCWD, name.c_str(),
-                        AT_SYMLINK_FOLLOW) != 0) {
-            if (errno != EEXIST || ++attempt == mostAttempts) {
-                refuse(errno);
-            }
-            name = nameBeside(place_, attempt);
-        }
-        named_ = name;
-    }
-    stream_.reset();
-    if (::close(std::exchange(descriptor_, -1)) != 0) {
-        refuse(errno);
-    }
+    closeDescriptor();
     if (!place_.empty()) {
         putInPlace();
     }
 }
 
 void OutputFile::putInPlace() {
-    if (::rename(named_.c_str(), place_.c_str()) != 0) {
+    if (fileCalls().rename(named_.c_str(), place_.c_str()) != 0) {
         refuse(errno);
     }
     named_.clear();
+    synchroniseFolder(folderOf(place_));
+}
+
+fs::path OutputFile::commitNew(std::function<std::string(int)> const& name) {
+    synchronise();
+    for (int number = 1;; ++number) {
+        fs::path place = target_ / name(number);
+        if (!putAt(place)) {
+            continue;
+        }
+        if (!named_.empty()) {
+            fileCalls().unlink(std::exchange(named_, {}).c_str());
+        }
+        closeDescriptor();
+        synchroniseFolder(folderOf(place_));
+        return place;
+    }
+}
+
+/// False if another file has that name.
+bool OutputFile::putAt(fs::path const& place) {
+    std::string const from = named_.empty() ? descriptorPath(descriptor_) : named_.string();
+    if (fileCalls().link(from.c_str(), place.c_str()) == 0) {
+        return true;
+    }
+    if (errno == EEXIST) {
+        return false;
+    }
+    if (!cannotLink(errno) || named_.empty()) {
+        refuse(errno);
+    }
+    // Reserved by an empty file, which is then replaced.
+    int const reserved = fileCalls().open(place.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, usualMode);
+    if (reserved < 0 && errno == EEXIST) {
+        return false;
+    }
+    if (reserved < 0 || fileCalls().close(reserved) != 0 ||
+        fileCalls().rename(named_.c_str(), place.c_str()) != 0) {
+        refuse(errno);
+    }
+    named_.clear();
+    return true;
 }
 
 void OutputFile::refuse(int error) const {
-    std::string const name = isStandardOutput() ? "standard output" : target_.string();
-    throw OutputError(fmt::format("{}: cannot be written: {}", name, std::generic_category().message(error)));
+    throw OutputError(isStandardOutput() ? fs::path("standard output") : target_, error);
 }
 
 fs::path fileBehind(fs::path path) {
@@ -201,6 +274,30 @@ void writeFile(fs::path const& target, std::string_view bytes, OutputFile::Conte
     OutputFile file(target, content);
     file.stream() << bytes;
     file.commit();
+}
+
+fs::path writeNewFile(fs::path const& folder, std::function<std::string(int)> const& name,
+                      std::string_view bytes, OutputFile::Content content) {
+    makeFolder(folder);
+    OutputFile file = OutputFile::newIn(folder, content);
+    file.stream() << bytes;
+    return file.commitNew(name);
+}
+
+void synchroniseFolder(fs::path const& folder) {
+    // One that may be written but not listed cannot be opened.
+    int const descriptor = fileCalls().open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC, 0);
+    if (descriptor < 0) {
+        if (errno == EACCES || errno == EPERM) {
+            return;
+        }
+        throw OutputError(folder, errno);
+    }
+    int const error = fileCalls().fsync(descriptor) == 0 ? 0 : errno;
+    fileCalls().close(descriptor);
+    if (error != 0 && error != EINVAL && error != ENOTSUP && error != EBADF && error != EROFS) {
+        throw OutputError(folder, error);
+    }
 }
 
 } // namespace trembler

@@ -39,6 +39,21 @@ std::string_view nameOf(Phase phase) {
     return "";
 }
 
+/// With what its texts and lists occupy outside.
+std::size_t bytesOf(Event const& event) {
+    std::size_t bytes = sizeof(Event) + event.objects.capacity() * sizeof(std::string) +
+                        event.causes.capacity() * sizeof(EventId);
+    std::size_t const inside = std::string().capacity();
+    auto const outside = [&](std::string const& text) {
+        return text.capacity() > inside ? text.capacity() + 1 : std::size_t{0};
+    };
+    bytes += outside(event.component) + outside(event.event);
+    for (std::string const& name : event.objects) {
+        bytes += outside(name);
+    }
+    return bytes;
+}
+
 [[noreturn]] void throwTooMuch() {
     throw std::length_error(
         fmt::format("an account of at most {} components, {} chunks of 1024 rows and {} frames, "
@@ -99,6 +114,13 @@ EventId EventSink::record(std::string_view event, std::span<ObjectId const> obje
 void Tracer::gather(EventSink& sink) {
     for (Event& event : sink.events()) {
         assert(events_.empty() || events_.back().id < event.id);
+        bytes_ += bytesOf(event);
+        if (bytes_ > mostBytes_) {
+            throw std::length_error(fmt::format(
+                "the account of this run takes more than {} MB of memory in frame {}; expected at most that "
+                "much: compute fewer frames, or turn tracing off",
+                mostBytes_ / 1'000'000, event.frame));
+        }
         events_.push_back(std::move(event));
     }
     sink.events().clear();

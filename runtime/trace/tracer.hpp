@@ -4,6 +4,7 @@
 #include "runtime/object/object_id.hpp"
 #include "runtime/trace/event.hpp"
 
+#include <cstddef>
 #include <functional>
 #include <initializer_list>
 #include <iosfwd>
@@ -45,8 +46,15 @@ private:
 /// the end of each frame, so the account is the same for any number of threads.
 class Tracer {
 public:
-    /// Moves the sink's events into the account. Call in ascending order of components and chunks.
+    static constexpr std::size_t usualBytes = std::size_t{2} << 30U;
+
+    explicit Tracer(std::size_t mostBytes = usualBytes) : mostBytes_(mostBytes) {}
+
+    /// Moves the sink's events into the account. Call in ascending order of components and chunks. Throws
+    /// std::length_error if the account then takes more memory than it may.
     void gather(EventSink& sink);
+    /// Memory of all events, about.
+    [[nodiscard]] std::size_t bytes() const { return bytes_; }
     /// Every event so far, ascending by id.
     [[nodiscard]] std::span<Event const> events() const { return events_; }
     [[nodiscard]] Event const* find(EventId id) const;
@@ -59,6 +67,8 @@ public:
 
 private:
     std::vector<Event> events_;
+    std::size_t bytes_ = 0;
+    std::size_t mostBytes_;
 };
 
 } // namespace trembler

@@ -2,9 +2,15 @@
 #include "game/app/commands.hpp"
 #include "game/app/mods/mod_reference_command.hpp"
 #include "game/app/mods/mods.hpp"
+#include "game/app/options/file_rules.hpp"
 #include "game/app/options/outputs.hpp"
+#include "lua/component/never_applied.hpp"
 #include "lua/mods/lint.hpp"
+#include "lua/mods/mod_name.hpp"
+#include "puzzle/session/session.hpp"
 #include "runtime/file/visible_text.hpp"
+#include "runtime/level/json/suggestion.hpp"
+#include "runtime/level/read/read_level.hpp"
 
 #include <fmt/format.h>
 
@@ -12,7 +18,9 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <string_view>
+#include <utility>
 
 namespace trembler {
 namespace {
@@ -26,7 +34,6 @@ struct ModArguments {
 };
 
 int newMod(ModArguments const& arguments) {
-    checkFolderName("--in", arguments.in);
     fs::path const folder = fs::path(arguments.in) / arguments.name;
     lua::writeNewMod(folder, arguments.name);
     writeEditorFiles(folder);
@@ -47,20 +54,29 @@ std::vector<fs::path> levelsOf(fs::path const& folder) {
     return found;
 }
 
-/// The folder that is meant by a path or by the name of an installed mod.
-fs::path folderOf(ModArguments const& arguments) {
-    fs::path stated = arguments.name;
-    if (fs::exists(stated / "mod.json")) {
-        stated = fs::absolute(stated).lexically_normal(); // "." has no name
+/// The folder that is meant by a path or by the name of an installed mod; empty if there is none. Adds the
+/// names of the installed mods to `known`.
+fs::path folderOf(std::string const& name, std::vector<std::string> const& folders,
+                  std::vector<std::string>& known) {
+    std::error_code error;
+    if (fs::exists(fs::path(name) / "mod.json", error)) {
+        fs::path const stated = fs::absolute(name, error).lexically_normal(); // "." has no name
         return stated.has_filename() ? stated : stated.parent_path();
     }
-    for (fs::path const& mod : lua::listMods(lua::modFolders(arguments.folders, {}, homeFolder()))) {
-        if (mod.filename() == arguments.name) {
+    for (fs::path const& mod : lua::listMods(lua::modFolders(folders, {}, homeFolder()))) {
+        known.push_back(mod.filename().string());
+        if (known.back() == name) {
             return mod;
         }
     }
-    throw std::invalid_argument(
-        fmt::format("there is no mod '{}'; `trembler mod list` lists the installed mods", arguments.name));
+    return {};
+}
+
+Fault faultOfMod(ModArguments const& arguments, std::string const& name) {
+    std::vector<std::string> known;
+    return folderOf(name, arguments.folders, known).empty()
+               ? Fault("there is no such mod" + didYouMean(name, known))
+               : std::nullopt;
 }
 
 std::string counted(std::size_t count, std::string_view noun) {
@@ -88,8 +104,79 @@ std::size_t printLint(lua::Mod const& mod, std::size_t levels) {
     return count;
 }
 
+/// Adds why a script is not applied in a level: of the level as it begins, and with each recorded solution,
+/// the reason that comes nearest. Nothing for a level that cannot be built, which verifying it has reported.
+void addWhyNeverApplied(std::vector<std::pair<std::string, std::string>>& reasons, GameData const& gameData,
+                        lua::Script const& script, fs::path const& path) {
+    std::optional<lua::NeverApplied> nearest;
+    try {
+        LevelFile const level = readLevel(gameData.registry, JsonDocument::load(path));
+        WorldOptions options;
+        options.detail = level.detail;
+        for (std::size_t i = 0; i <= level.solutions.size(); ++i) {
+            Session session(gameData.registry, gameData.parts, level, options);
+            if (i > 0) {
+                session.load(level.solutions[i - 1]);
+            }
+            lua::NeverApplied const one = lua::whyNeverApplied(script, session.world());
+            if (!nearest || one.held > nearest->held) {
+                nearest = one;
+            }
+        }
+    } catch (std::exception const&) {
+        nearest.reset();
+    }
+    if (nearest) {
+        reasons.emplace_back(path.filename().string(), nearest->why);
+    }
+}
+
+/// Prints a warning for each script of the mod that no level and no test has applied to anything, and why;
+/// returns their number.
+std::size_t printNeverApplied(GameData const& gameData, lua::Mod const& mod,
+                              std::vector<fs::path> const& levels) {
+    std::size_t count = 0;
+    for (auto const& live : gameData.scripts->all()) {
+        if (live->mod() != mod.name || levels.empty() || gameData.scriptLog->everApplied(live->name())) {
+            continue;
+        }
+        std::vector<std::pair<std::string, std::string>> reasons;
+        for (fs::path const& level : levels) {
+            addWhyNeverApplied(reasons, gameData, live->script(), level);
+        }
+        constexpr std::size_t most = 3;
+        bool const alike = std::all_of(reasons.begin(), reasons.end(),
+                                       [&](auto const& one) { return one.second == reasons.front().second; });
+        std::string why;
+        for (std::size_t i = 0; i < reasons.size() && i < (alike ? 1 : most); ++i) {
+            why += fmt::format("{}{}{}", why.empty() ? ": " : "; ",
+                               alike ? std::string() : "in " + reasons[i].first + " ", reasons[i].second);
+        }
+        if (!alike && reasons.size() > most) {
+            why += fmt::format("; and so on in {} more", reasons.size() - most);
+        }
+        std::cout << visible(
+                         "warning: " +
+                         live->script()
+                             .manifest
+                             .problem(
+                                 "name",
+                                 fmt::format(
+                                     "'{}' never ran, as it is applied to nothing in {} levels and tests{}",
+                                     live->name(), levels.size(), why),
+                                 "a level or a test in which it is applied")
+                             .print())
+                  << "\n";
+        ++count;
+    }
+    return count;
+}
+
 int checkMod(ModArguments const& arguments) {
-    fs::path const folder = fs::absolute(folderOf(arguments)).lexically_normal();
+    std::vector<std::string> known;
+    std::error_code error;
+    fs::path const folder =
+        fs::absolute(folderOf(arguments.name, arguments.folders, known), error).lexically_normal();
     std::string const name = folder.filename().string();
     std::vector<std::string> folders = arguments.folders;
     folders.insert(folders.begin(), folder.parent_path().string());
@@ -105,7 +192,7 @@ int checkMod(ModArguments const& arguments) {
         std::vector<fs::path> const found = levelsOf(part);
         levels.insert(levels.end(), found.begin(), found.end());
     }
-    std::size_t const warnings = printLint(*mod, levels.size());
+    std::size_t warnings = printLint(*mod, levels.size());
     bool good = true;
     for (fs::path const& level : levels) {
         std::vector<std::string> const failures = verifyWithScripts(gameData, level);
@@ -117,6 +204,7 @@ int checkMod(ModArguments const& arguments) {
         }
         good = good && failures.empty();
     }
+    warnings += printNeverApplied(gameData, *mod, levels);
     std::cout << visible(fmt::format("{}: {}, {} levels and tests, {}, {}", name,
                                      counted(mod->interactions.size(), "interaction"), levels.size(),
                                      counted(warnings, "warning"), good ? "all good" : "not good"))
@@ -141,29 +229,38 @@ int listAll(ModArguments const& arguments) {
 
 } // namespace
 
-void addModCommand(CLI::App& program, int& result) {
+void addModCommand(CLI::App& program, Work& work) {
     CLI::App* const command = program.add_subcommand(
         "mod", "Mods: interactions written in Lua, with parts and levels of their own");
     command->require_subcommand(1);
     auto const arguments = std::make_shared<ModArguments>();
     CLI::App* const made =
         command->add_subcommand("new", "Make the folder of a mod with an interaction that works");
-    made->add_option("NAME", arguments->name, "Its name: small letters, digits and -")->required();
-    made->add_option("--in", arguments->in, "The folder to make it in")->capture_default_str();
-    made->callback([arguments, &result] { result = guarded([&] { return newMod(*arguments); }); });
+    accepts(made->add_option("NAME", arguments->name, "Its name: small letters, digits and -")
+                ->required()
+                ->type_name(""),
+            "a name of small letters, digits and -, at most 40",
+            [](std::string const& name) { return lua::isModName(name) ? Fault() : Fault(""); });
+    accepts(made->add_option("--in", arguments->in, "The folder to make it in")
+                ->capture_default_str()
+                ->type_name("DIR"),
+            "a folder, which is made if it is missing", faultOfOutputFolder);
+    made->callback([arguments, &work] { work = [arguments] { return newMod(*arguments); }; });
     CLI::App* const check = command->add_subcommand(
         "check",
         "Load a mod, warn of probable mistakes, and verify its levels and its tests, which are levels with "
         "recorded solutions. Exit status 1 if any fails, 2 if the mod cannot be loaded");
-    check->add_option("MOD", arguments->name, "Its folder, or the name of one that is installed")->required();
-    check->add_option("--mod", arguments->folders, "A folder of mods to look in, too")
-        ->allow_extra_args(false);
-    check->callback([arguments, &result] { result = guarded([&] { return checkMod(*arguments); }); });
+    accepts(check->add_option("MOD", arguments->name, "Its folder, or the name of one that is installed")
+                ->required()
+                ->type_name(""),
+            "the folder of a mod, or the name of one that `trembler mod list` lists",
+            [arguments](std::string const& name) { return faultOfMod(*arguments, name); });
+    addModFolderOption(*check, arguments->folders, "A folder of mods to look in, too");
+    check->callback([arguments, &work] { work = [arguments] { return checkMod(*arguments); }; });
     CLI::App* const list = command->add_subcommand("list", "The mods that are installed");
-    list->add_option("--mod", arguments->folders, "A folder of mods to look in, too")
-        ->allow_extra_args(false);
-    list->callback([arguments, &result] { result = guarded([&] { return listAll(*arguments); }); });
-    addModReferenceCommands(*command, result);
+    addModFolderOption(*list, arguments->folders, "A folder of mods to look in, too");
+    list->callback([arguments, &work] { work = [arguments] { return listAll(*arguments); }; });
+    addModReferenceCommands(*command, work);
 }
 
 } // namespace trembler

@@ -2,6 +2,7 @@
 #include "game/app/mods/mod_reference_command.hpp"
 
 #include "game/app/commands.hpp"
+#include "game/app/options/file_rules.hpp"
 #include "game/app/options/outputs.hpp"
 #include "lua/reference/annotations.hpp"
 #include "lua/reference/page.hpp"
@@ -57,28 +58,29 @@ void writeEditorFiles(std::filesystem::path const& mod) {
     writeFile(mod / ".luarc.json", lua::editorSettings());
 }
 
-void addModReferenceCommands(CLI::App& mod, int& result) {
+void addModReferenceCommands(CLI::App& mod, Work& work) {
     auto const arguments = std::make_shared<ReferenceArguments>();
     CLI::App* const reference = mod.add_subcommand(
         "reference", "Print every property that scripts can read and every function that they can call");
-    addOptionalFile(*reference, "--json", arguments->json,
+    addOptionalFile(*reference, "--json", arguments->json, file_kinds::json,
                     "Write them as one JSON object, with examples; on the terminal it replaces the text");
-    addOptionalFile(*reference, "--markdown", arguments->markdown,
+    addOptionalFile(*reference, "--markdown", arguments->markdown, file_kinds::markdown,
                     "Write them as Markdown, with examples; on the terminal it replaces the text");
     reference->footer(outputConvention);
-    reference->callback(
-        [arguments, &result] { result = guarded([&] { return printReference(*arguments); }); });
+    reference->callback([arguments, &work] { work = [arguments] { return printReference(*arguments); }; });
     CLI::App* const annotations = mod.add_subcommand(
         "annotations", "Write trembler.lua, by which editors with the Lua Language Server complete names");
-    annotations->add_option("DIR", arguments->folder, "The folder to write it into")->required();
-    annotations->callback([arguments, &result] {
-        result = guarded([&] {
-            checkFolderName("DIR", arguments->folder);
+    accepts(annotations->add_option("DIR", arguments->folder, "The folder to write it into")
+                ->required()
+                ->type_name(""),
+            "a folder, which is made if it is missing", faultOfOutputFolder);
+    annotations->callback([arguments, &work] {
+        work = [arguments] {
             writeAnnotationsInto(arguments->folder);
             std::cout << visible((std::filesystem::path(arguments->folder) / "trembler.lua").string())
                       << ": written\n";
             return exitSolved;
-        });
+        };
     });
 }
 

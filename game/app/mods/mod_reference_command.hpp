@@ -9,7 +9,7 @@
 namespace trembler {
 
 /// Adds `reference` and `annotations` to the command `mod`.
-void addModReferenceCommands(CLI::App& mod, int& result);
+void addModReferenceCommands(CLI::App& mod, Work& work);
 
 /// Writes into the folder of a mod the files that editors need to complete names: annotations/trembler.lua
 /// and .luarc.json.

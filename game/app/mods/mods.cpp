@@ -1,10 +1,12 @@
 #include "game/app/mods/mods.hpp"
 
+#include "game/app/options/file_rules.hpp"
 #include "lua/attach/register.hpp"
 #include "lua/interaction/allowed_limits.hpp"
 #include "lua/mods/trust.hpp"
 #include "puzzle/solutions/verify.hpp"
 #include "runtime/file/visible_text.hpp"
+#include "runtime/level/json/suggestion.hpp"
 
 #include <fmt/format.h>
 
@@ -15,19 +17,58 @@
 
 namespace trembler {
 
+namespace {
+
+/// A level in each place where the command looks for levels, whether it exists or not.
+std::vector<std::filesystem::path> levelsStated(CLI::App& command) {
+    std::vector<std::filesystem::path> levels{{}};
+    for (char const* const argument : {"LEVEL", "PATH"}) {
+        if (CLI::Option const* const option = command.get_option_no_throw(argument)) {
+            for (std::filesystem::path const path : option->results()) {
+                std::error_code none;
+                levels.push_back(std::filesystem::is_directory(path, none) ? path / "level.json" : path);
+            }
+        }
+    }
+    return levels;
+}
+
+Fault faultOfModName(CLI::App& command, std::vector<std::string> const& folders, std::string const& name) {
+    std::vector<std::string> known;
+    for (std::filesystem::path const& level : levelsStated(command)) {
+        for (std::filesystem::path const& mod :
+             lua::listMods(lua::modFolders(folders, level, homeFolder()))) {
+            known.push_back(mod.filename().string());
+        }
+    }
+    return std::find(known.begin(), known.end(), name) != known.end()
+               ? std::nullopt
+               : Fault("there is no such mod" + didYouMean(name, known));
+}
+
+} // namespace
+
 void addModFolders(CLI::App& command, std::vector<std::string>& folders) {
-    command
-        .add_option("--mod", folders,
-                    "A mod's folder, or a folder of mods, to look in before the installed ones")
-        ->type_name("DIR")
-        ->allow_extra_args(false);
-    command
-        .add_option_function<std::vector<std::string>>(
-            "--trust", [](std::vector<std::string> const& names) { lua::trustForThisRun(names); },
-            "A mod whose scripts are compiled, which makes them about ten times as fast; for mods whose "
-            "author you trust")
-        ->type_name("MOD")
-        ->allow_extra_args(false);
+    addModFolderOption(command, folders,
+                       "A mod's folder, or a folder of mods, to look in before the installed ones");
+    auto* const trust = command.add_option_function<std::vector<std::string>>(
+        "--trust", [](std::vector<std::string> const& names) { lua::trustForThisRun(names); },
+        "A mod whose scripts are compiled, which makes them about ten times as fast; for mods whose "
+        "author you trust");
+    accepts(trust->type_name("MOD")->allow_extra_args(false),
+            "the name of a mod that is installed, beside the level or in a folder of --mod",
+            [&command, &folders](std::string const& name) { return faultOfModName(command, folders, name); });
+}
+
+void addModFolderOption(CLI::App& command, std::vector<std::string>& folders, std::string const& meaning) {
+    accepts(command.add_option("--mod", folders, meaning)->type_name("DIR")->allow_extra_args(false),
+            "a mod's folder, with its mod.json, or a folder of mods", [](std::string const& folder) -> Fault {
+                if (Fault const fault = faultOfInputFolder(folder)) {
+                    return fault;
+                }
+                std::vector<std::filesystem::path> const place{lua::modsFolder(folder)};
+                return lua::listMods(place).empty() ? Fault("holds no mod") : std::nullopt;
+            });
 }
 
 namespace {
@@ -75,7 +116,8 @@ GameData const& GameDataByMods::dataFor(std::filesystem::path const& level) {
     std::vector<lua::Mod> mods = modsFor(level, folders_);
     std::vector<std::filesystem::path> places;
     for (lua::Mod const& mod : mods) {
-        places.push_back(std::filesystem::absolute(mod.folder).lexically_normal());
+        std::error_code error;
+        places.push_back(std::filesystem::absolute(mod.folder, error).lexically_normal());
     }
     auto& data = byMods_[places];
     if (data == nullptr) {
@@ -102,7 +144,8 @@ std::vector<lua::Mod> modsIn(std::vector<std::string> const& folders) {
     for (std::filesystem::path const folder : folders) {
         std::filesystem::path const place = lua::modsFolder(folder);
         if (place != folder) { // it is that of one mod
-            std::filesystem::path const whole = std::filesystem::absolute(folder).lexically_normal();
+            std::error_code error;
+            std::filesystem::path const whole = std::filesystem::absolute(folder, error).lexically_normal();
             names.push_back((whole.has_filename() ? whole : whole.parent_path()).filename().string());
             continue;
         }

@@ -14,8 +14,10 @@
 
 namespace trembler {
 
-/// Adds the option --mod DIR to a command.
+/// Adds the options --mod DIR and --trust MOD to a command.
 void addModFolders(CLI::App& command, std::vector<std::string>& folders);
+/// Adds --mod DIR only. A folder without a mod is refused.
+void addModFolderOption(CLI::App& command, std::vector<std::string>& folders, std::string const& meaning);
 
 /// All that the game knows, with the mods that the level names. `folders` are those of --mod. Throws
 /// InputError if a mod is not there or wrong.

@@ -9,17 +9,22 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// More files than any mod has are left out, should the folder be that of a disk.
+constexpr int mostFiles = 10'000;
+
 void readsFolder(Outputs& outputs, fs::path const& folder) {
     std::error_code error;
-    for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
+    int left = mostFiles;
+    for (fs::directory_iterator at(folder, error), end; !error && at != end && left > 0;
+         at.increment(error), --left) {
         outputs.reads(at->path());
     }
 }
 
-/// Every file below the folder. More than any mod has are left out, should the folder be that of a disk.
+/// Every file below the folder.
 void readsTree(Outputs& outputs, fs::path const& folder) {
     std::error_code error;
-    int left = 10'000;
+    int left = mostFiles;
     for (fs::recursive_directory_iterator at(folder, error), end; !error && at != end && left > 0;
          at.increment(error), --left) {
         outputs.reads(at->path());

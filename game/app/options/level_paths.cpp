@@ -3,6 +3,7 @@
 #include "puzzle/campaign/chapter.hpp"
 #include "puzzle/data/game_data.hpp"
 #include "runtime/level/json/diagnostic.hpp"
+#include "runtime/level/read/folder_limits.hpp"
 
 #include <fmt/format.h>
 
@@ -17,25 +18,43 @@ namespace {
 
 namespace fs = std::filesystem;
 
+[[noreturn]] void refuseToRead(fs::path const& path, std::error_code const& error) {
+    Diagnostic problem;
+    problem.file = path.string();
+    problem.message = "cannot be read: " + error.message();
+    throw InputError({problem});
+}
+
 /// Of a mod's files only those in levels/ and tests/ are levels; hidden files are settings of editors.
 bool isNoLevel(fs::path const& file) {
     if (file.filename() == "mod.json" || file.filename().string().starts_with('.')) {
         return true;
     }
     fs::path const folder = file.parent_path();
-    return folder.filename() == "parts" && fs::exists(folder.parent_path() / "mod.json");
+    std::error_code error;
+    return folder.filename() == "parts" && fs::exists(folder.parent_path() / "mod.json", error);
 }
 
 std::vector<fs::path> levelsUnder(fs::path const& path) {
-    if (!fs::is_directory(path)) {
+    std::error_code error;
+    if (!fs::is_directory(path, error)) {
         return {path};
     }
     std::vector<fs::path> found;
-    for (fs::directory_entry const& entry : fs::recursive_directory_iterator(path)) {
-        if (entry.is_regular_file() && entry.path().extension() == ".json" && !isNotALevel(entry.path()) &&
-            !isNoLevel(entry.path())) {
-            found.push_back(entry.path());
+    error.clear();
+    for (fs::recursive_directory_iterator at(path, error), end; !error && at != end; at.increment(error)) {
+        std::error_code unknown;
+        if (at->is_regular_file(unknown) && at->path().extension() == ".json" && !isNotALevel(at->path()) &&
+            !isNoLevel(at->path())) {
+            found.push_back(at->path());
         }
+        if (found.size() > limits::levelFiles) {
+            throw std::invalid_argument(fmt::format("{}: has more than {} levels; expected at most {}",
+                                                    path.string(), limits::levelFiles, limits::levelFiles));
+        }
+    }
+    if (error) { // a folder in it that may not be looked into could hold levels
+        refuseToRead(path, error);
     }
     std::sort(found.begin(), found.end());
     return found;
@@ -49,10 +68,7 @@ void checkReadable(fs::path const& file) {
         error = std::error_code(errno, std::generic_category());
     }
     if (error) {
-        Diagnostic problem;
-        problem.file = file.string();
-        problem.message = "cannot be read: " + error.message();
-        throw InputError({problem});
+        refuseToRead(file, error);
     }
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "game/app/options/numbers.hpp"
+#include "game/app/options/rule.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -18,42 +19,37 @@ namespace trembler {
 template <class Target>
 CLI::Option* addNumber(CLI::App& command, std::string const& option, Target& target, std::int64_t least,
                        std::int64_t most, std::string const& meaning) {
-    return command
-        .add_option_function<std::string>(
-            option,
-            [&target, option, least, most](std::string const& text) {
-                auto const number = wholeNumber(text, least, most);
-                if (!number) {
-                    throw CLI::ValidationError(
-                        option, fmt::format("{} is not a whole number from {} to {}, in decimal without "
-                                            "leading zeros",
-                                            text, least, most));
-                }
+    auto* const added = command.add_option_function<std::string>(
+        option,
+        [&target, least, most](std::string const& text) {
+            if (auto const number = wholeNumber(text, least, most)) {
                 if constexpr (requires { typename Target::value_type; }) {
                     target = static_cast<typename Target::value_type>(*number);
                 } else {
                     target = static_cast<Target>(*number);
                 }
-            },
-            meaning)
-        ->type_name(fmt::format("N in [{} - {}]", least, most));
+            }
+        },
+        meaning);
+    return accepts(added->type_name(fmt::format("N in [{} - {}]", least, most)),
+                   fmt::format("a whole number from {} to {}, in decimal without leading zeros", least, most),
+                   [least, most](std::string const& text) {
+                       return wholeNumber(text, least, most) ? Fault() : Fault("");
+                   });
 }
 
 /// The same for a finite real number.
 inline CLI::Option* addNumber(CLI::App& command, std::string const& option, std::optional<double>& target,
                               double least, double most, std::string const& meaning) {
-    return command
-        .add_option_function<std::string>(
-            option,
-            [&target, option, least, most](std::string const& text) {
-                target = decimalNumber(text, least, most);
-                if (!target) {
-                    throw CLI::ValidationError(
-                        option, fmt::format("{} is not a number from {} to {}", text, least, most));
-                }
-            },
-            meaning)
-        ->type_name(fmt::format("NUMBER in [{} - {}]", least, most));
+    auto* const added = command.add_option_function<std::string>(
+        option,
+        [&target, least, most](std::string const& text) { target = decimalNumber(text, least, most); },
+        meaning);
+    return accepts(added->type_name(fmt::format("NUMBER in [{} - {}]", least, most)),
+                   fmt::format("a number from {} to {}", least, most),
+                   [least, most](std::string const& text) {
+                       return decimalNumber(text, least, most) ? Fault() : Fault("");
+                   });
 }
 
 } // namespace trembler

@@ -1,10 +1,13 @@
 #include "game/app/options/outputs.hpp"
 
+#include "game/app/options/file_rules.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <iostream>
 #include <sys/stat.h>
+#include <utility>
 
 namespace trembler {
 namespace {
@@ -40,52 +43,57 @@ bool isDevice(fs::path const& path) {
 
 } // namespace
 
-CLI::Option* addFile(CLI::App& command, std::string const& option, OutputTarget& target,
+CLI::Option* addFile(CLI::App& command, std::string const& option, OutputTarget& target, FileKind const& kind,
                      std::string const& meaning) {
-    return command
-        .add_option_function<std::string>(
-            option, [&target](std::string const& name) { target = name; }, meaning)
-        ->type_name("FILE");
+    auto* const added = command.add_option_function<std::string>(
+        option, [&target](std::string const& name) { target = name; }, meaning);
+    std::string const ending(kind.endings.empty() ? std::string_view() : kind.endings.front());
+    return accepts(added->type_name("FILE" + ending), expectedOf(kind), writableFile(command, kind));
 }
 
 CLI::Option* addOptionalFile(CLI::App& command, std::string const& option, OutputTarget& target,
-                             std::string const& meaning) {
-    return addFile(command, option, target, meaning)
+                             FileKind const& kind, std::string const& meaning) {
+    std::string const type = fmt::format("[FILE{}]", kind.endings.empty() ? "" : kind.endings.front());
+    return addFile(command, option, target, kind, meaning)
         ->expected(0, 1)
         ->default_str(terminal)
-        ->type_name("[FILE]")
-        ->option_text("[FILE]");
+        ->type_name(type)
+        ->option_text(type);
 }
 
-void takeBack(std::string& argument, OutputTarget& target, char const* name) {
-    if (argument.empty() && target && *target != terminal) {
-        argument = *target;
-        target = terminal;
+namespace {
+
+/// Tells the parser, too, so that the rules of both options apply to what they now have.
+std::string takenBack(CLI::App& command, std::string const& name, std::string const& option,
+                      OutputTarget& target) {
+    std::string const argument = std::exchange(*target, terminal);
+    command.get_option(option)->clear();
+    command.get_option(option)->add_result(terminal);
+    command.get_option(name)->add_result(argument);
+    return argument;
+}
+
+bool isForFile(OutputTarget const& target) {
+    return target && !target->empty() && *target != terminal;
+}
+
+} // namespace
+
+void takeBack(CLI::App& command, std::string const& name, std::string& argument, std::string const& option,
+              OutputTarget& target) {
+    if (command.get_option(name)->count() > 0) {
+        return;
     }
-    if (argument.empty()) {
+    if (!isForFile(target)) {
         throw CLI::RequiredError(name);
     }
+    argument = takenBack(command, name, option, target);
 }
 
-void takeBack(std::vector<std::string>& arguments, OutputTarget& target) {
-    if (arguments.empty() && target && !target->empty() && *target != terminal) {
-        arguments.push_back(*target);
-        target = terminal;
-    }
-}
-
-void checkFolderName(std::string const& option, std::string const& folder) {
-    if (folder.empty()) {
-        throw OutputError(option + ": the folder's name is empty");
-    }
-    if (folder == terminal) {
-        throw OutputError(fmt::format("{0} {1}: the terminal is no folder; a folder of this name is ./{1}",
-                                      option, folder));
-    }
-    std::error_code error;
-    if (fs::file_status const found = fs::status(folder, error);
-        fs::exists(found) && !fs::is_directory(found)) {
-        throw OutputError(fmt::format("{} {}: is a file; expected a folder", option, folder));
+void takeBack(CLI::App& command, std::string const& name, std::vector<std::string>& arguments,
+              std::string const& option, OutputTarget& target) {
+    if (arguments.empty() && isForFile(target)) {
+        arguments.push_back(takenBack(command, name, option, target));
     }
 }
 

@@ -5,7 +5,9 @@
 //   out (addOptionalFile), a missing name means "-". An option for a folder takes no "-".
 // - If an output goes to the terminal, messages for people go to standard error, or are left out if the
 //   output takes their place, as --json does. An output to a file leaves the messages as they are.
-// - An empty name, a file that is also an input, and two outputs to one file are refused before any work.
+// - The option states what kind of file it is (file_kinds.hpp): a name with another ending is refused.
+// - An empty name, a file that cannot be written or is also an input, and two outputs to one file are refused
+//   before any work.
 // - A file is written beside its target and put in its place at the end (runtime/file/output_file.hpp).
 //
 //     Outputs outputs;
@@ -16,6 +18,7 @@
 //     outputs.finish();                                            // throws if anything was not written
 #pragma once
 
+#include "game/app/options/file_kinds.hpp"
 #include "runtime/file/output_file.hpp"
 
 #include <CLI/CLI.hpp>
@@ -31,12 +34,12 @@ namespace trembler {
 /// The target of an output option; nullopt: the option was not given.
 using OutputTarget = std::optional<std::string>;
 
-/// An option that takes the name of a file, or "-".
-CLI::Option* addFile(CLI::App& command, std::string const& option, OutputTarget& target,
+/// An option that takes the name of a file of that kind, or "-".
+CLI::Option* addFile(CLI::App& command, std::string const& option, OutputTarget& target, FileKind const& kind,
                      std::string const& meaning);
 /// An option whose file name may be left out and then means the terminal.
 CLI::Option* addOptionalFile(CLI::App& command, std::string const& option, OutputTarget& target,
-                             std::string const& meaning);
+                             FileKind const& kind, std::string const& meaning);
 
 /// The sentence about outputs in every command's --help.
 inline constexpr char const* outputConvention = "FILE can be \"-\": the terminal (standard output). Words "
@@ -46,14 +49,13 @@ inline constexpr char const* outputConvention = "FILE can be \"-\": the terminal
                                                 "anything fails, as it was before.";
 
 /// After an option whose FILE may be left out, the parser takes a command's own argument for that FILE:
-/// "--json LEVEL". Moves it back to `argument` if that is empty. Throws CLI::RequiredError if the argument is
-/// missing altogether.
-void takeBack(std::string& argument, OutputTarget& target, char const* name);
+/// "--json LEVEL". Moves it back to the argument of that name and its target if that is empty. Throws
+/// CLI::RequiredError if the argument is missing altogether.
+void takeBack(CLI::App& command, std::string const& name, std::string& argument, std::string const& option,
+              OutputTarget& target);
 /// The same for arguments of which there may be none.
-void takeBack(std::vector<std::string>& arguments, OutputTarget& target);
-
-/// Throws OutputError if the name that an option states for a folder is empty, "-" or that of a file.
-void checkFolderName(std::string const& option, std::string const& folder);
+void takeBack(CLI::App& command, std::string const& name, std::vector<std::string>& arguments,
+              std::string const& option, OutputTarget& target);
 
 class Outputs {
 public:

@@ -1,11 +1,11 @@
 #include "game/app/options/picture_size.hpp"
 
 #include "game/app/options/numbers.hpp"
+#include "game/app/options/rule.hpp"
 
 #include <fmt/format.h>
 
 #include <cstdint>
-#include <stdexcept>
 
 namespace trembler {
 namespace {
@@ -16,27 +16,26 @@ constexpr std::int64_t mostPixels = 8192L * 8192; // an image of a quarter of a 
 
 } // namespace
 
-PictureSize pictureSizeFrom(std::string const& text) {
+std::optional<PictureSize> pictureSizeFrom(std::string const& text) {
     std::size_t const cross = text.find('x');
     // Without an x the height is empty, which is not a number and is refused below.
     std::string const behind = cross == std::string::npos ? "" : text.substr(cross + 1);
     auto const width = wholeNumber(text.substr(0, cross), smallestSide, largestSide);
     auto const height = wholeNumber(behind, smallestSide, largestSide);
     if (!width || !height || *width * *height > mostPixels) {
-        throw std::invalid_argument(fmt::format(
-            "--size {}: expected WIDTHxHEIGHT in pixels, {} to {} each and at most {} together, like "
-            "1280x720",
-            text, smallestSide, largestSide, mostPixels));
+        return std::nullopt;
     }
-    return {static_cast<int>(*width), static_cast<int>(*height)};
+    return PictureSize{static_cast<int>(*width), static_cast<int>(*height)};
 }
 
 CLI::Option* addPictureSize(CLI::App& command, std::string& size) {
-    return command
-        .add_option("--size", size,
-                    fmt::format("Pixels, {} to {} each way and at most {} in all", smallestSide, largestSide,
-                                mostPixels))
-        ->capture_default_str();
+    auto* const added = command.add_option("--size", size,
+                                           fmt::format("Pixels, {} to {} each way and at most {} in all",
+                                                       smallestSide, largestSide, mostPixels));
+    return accepts(added->capture_default_str()->type_name("WIDTHxHEIGHT"),
+                   fmt::format("WIDTHxHEIGHT in pixels, {} to {} each and at most {} together, like 1280x720",
+                               smallestSide, largestSide, mostPixels),
+                   [](std::string const& text) { return pictureSizeFrom(text) ? Fault() : Fault(""); });
 }
 
 } // namespace trembler

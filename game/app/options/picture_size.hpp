@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <optional>
 #include <string>
 
 namespace trembler {
@@ -12,8 +13,8 @@ struct PictureSize {
     int height = 0; ///< pixels
 };
 
-/// "1280x720". Throws std::invalid_argument with the allowed values.
-[[nodiscard]] PictureSize pictureSizeFrom(std::string const& text);
+/// "1280x720"; nothing if the text is anything else, or a side or the area is not allowed.
+[[nodiscard]] std::optional<PictureSize> pictureSizeFrom(std::string const& text);
 /// Adds the option; `size` holds its default.
 CLI::Option* addPictureSize(CLI::App& command, std::string& size);
 

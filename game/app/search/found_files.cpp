@@ -1,6 +1,7 @@
 #include "game/app/search/found_files.hpp"
 
 #include "insight/search/recorded.hpp"
+#include "runtime/file/folders.hpp"
 #include "runtime/file/output_file.hpp"
 #include "runtime/level/write/write_level.hpp"
 
@@ -11,8 +12,6 @@
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-
-#include <system_error>
 
 namespace trembler {
 namespace {
@@ -55,11 +54,7 @@ KeptFiles namesFor(std::string const& stem, fs::path const& folder, Outputs cons
 
 KeptFiles keepFound(GameData const& data, fs::path const& level, insight::FoundSolution const& found,
                     std::size_t number, fs::path const& folder, Outputs const& outputs) {
-    std::error_code error;
-    fs::create_directories(folder, error);
-    if (error) {
-        throw OutputError(fmt::format("{}: cannot be made: {}", folder.string(), error.message()));
-    }
+    makeFolder(folder);
     KeptFiles files = namesFor(fmt::format("{}-found-{}", level.stem().string(), number), folder, outputs);
     writeFile(files.solution, writeSolution(insight::keptSolution(found, number)).dump(2) + "\n");
 #ifdef TREMBLER_HEADLESS

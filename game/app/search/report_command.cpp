@@ -2,6 +2,7 @@
 // ways to solve them.
 #include "game/app/commands.hpp"
 #include "game/app/mods/mods.hpp"
+#include "game/app/options/file_rules.hpp"
 #include "game/app/options/inputs.hpp"
 #include "game/app/options/level_paths.hpp"
 #include "game/app/options/number_options.hpp"
@@ -126,7 +127,7 @@ int reportLevels(ReportArguments const& arguments) {
 
 } // namespace
 
-void addReportCommand(CLI::App& program, int& result) {
+void addReportCommand(CLI::App& program, Work& work) {
     auto const arguments = std::make_shared<ReportArguments>();
     CLI::App* const command = program.add_subcommand(
         "report",
@@ -136,12 +137,12 @@ void addReportCommand(CLI::App& program, int& result) {
         "cost. Exit status: 0 no level falls short of what is expected of a puzzle, 1 one does or the work "
         "was "
         "stopped, 2 bad input or output.");
-    command->add_option("LEVEL", arguments->paths,
-                        "Level files or folders (default: all levels, including those of the mods that come "
-                        "with the program)");
-    addOptionalFile(*command, "--json", arguments->json,
+    addLevels(*command, "LEVEL", arguments->paths,
+              "Level files or folders (default: all levels, including those of the mods that come "
+              "with the program)");
+    addOptionalFile(*command, "--json", arguments->json, file_kinds::json,
                     "Write a JSON list with an object for each level; on the terminal it replaces the words");
-    addOptionalFile(*command, "--markdown", arguments->markdown,
+    addOptionalFile(*command, "--markdown", arguments->markdown, file_kinds::markdown,
                     "Write tables, without times, so that they are the same on every machine");
     addNumber(*command, "--runs", arguments->runs, 0, 100'000, "Displaced runs of each solution")
         ->default_str("200");
@@ -159,14 +160,17 @@ void addReportCommand(CLI::App& program, int& result) {
     command->add_flag("--maps", arguments->maps, "Also where each part may lie, in steps of 5 cm");
     command->add_flag("--brief", arguments->brief, "Without costs and the cheapest detail levels");
     CLI::Option* const table =
-        command->add_flag("--table", arguments->table, "Of --markdown only the table of all levels");
+        command->add_flag("--table", arguments->table, "Of --markdown only the table of all levels")
+            ->needs("--markdown");
     CLI::Option* const sections =
         command->add_flag("--sections", arguments->sections, "Of --markdown only the sections of the levels")
+            ->needs("--markdown")
             ->excludes(table);
     command
         ->add_flag("--each-run", arguments->each,
                    "Of --markdown only a table of the displaced and dropped runs: in which frame each of "
                    "them solved the level")
+        ->needs("--markdown")
         ->excludes(table)
         ->excludes(sections);
     addNumber(*command, "--search", arguments->search, 0, 100'000'000,
@@ -175,9 +179,9 @@ void addReportCommand(CLI::App& program, int& result) {
     addWorkerOptions(*command, arguments->work);
     addModFolders(*command, arguments->mods);
     command->footer(outputConvention);
-    command->callback([arguments, &result] {
-        takeBack(arguments->paths, arguments->json);
-        result = guarded([&] { return reportLevels(*arguments); });
+    command->callback([command, arguments, &work] {
+        takeBack(*command, "LEVEL", arguments->paths, "--json", arguments->json);
+        work = [arguments] { return reportLevels(*arguments); };
     });
 }
 

@@ -1,6 +1,7 @@
 // trembler solve: searches for solutions of levels.
 #include "game/app/commands.hpp"
 #include "game/app/mods/mods.hpp"
+#include "game/app/options/file_rules.hpp"
 #include "game/app/options/inputs.hpp"
 #include "game/app/options/level_paths.hpp"
 #include "game/app/options/number_options.hpp"
@@ -81,9 +82,6 @@ int solveLevels(SolveArguments const& arguments) {
         readsLevel(outputs, data, file);
     }
     outputs.claimFile("--resume", arguments.work.resume, "a file");
-    if (arguments.keep) {
-        checkFolderName("--keep", *arguments.keep);
-    }
     std::vector<std::unique_ptr<insight::LevelUnderTest>> levels; // all, so that a fault is reported at once
     for (auto const& file : files) {
         levels.push_back(std::make_unique<insight::LevelUnderTest>(data.dataFor(file), file));
@@ -151,7 +149,7 @@ int solveLevels(SolveArguments const& arguments) {
 
 } // namespace
 
-void addSolveCommand(CLI::App& program, int& result) {
+void addSolveCommand(CLI::App& program, Work& work) {
     auto const arguments = std::make_shared<SolveArguments>();
     CLI::App* const command = program.add_subcommand(
         "solve",
@@ -160,7 +158,7 @@ void addSolveCommand(CLI::App& program, int& result) {
         "reported, "
         "reduced to what it needs; of several levels, or of a folder, a line each. Exit status: 0 found some "
         "of each level, 1 none of one, 2 bad input or output.");
-    command->add_option("LEVEL", arguments->levels, "Level files or folders (required)");
+    addLevels(*command, "LEVEL", arguments->levels, "Level files or folders (required)");
     addNumber(*command, "--runs", arguments->runs, 1, 100'000'000,
               "Runs to try, of each level (default: 2000, or, of one level, as many as --minutes allows)");
     addNumber(*command, "--minutes", arguments->work.minutes, 0.01, 100'000,
@@ -173,28 +171,27 @@ void addSolveCommand(CLI::App& program, int& result) {
     command->add_flag("--no-hands", arguments->noHands, "Only place parts and lay wires");
     command->add_flag("--random", arguments->random, "Place parts at random instead");
     command->add_flag("--compare", arguments->compare, "Afterwards place parts at random in as many runs");
-    addOptionalFile(*command, "--json", arguments->json,
+    addOptionalFile(*command, "--json", arguments->json, file_kinds::json,
                     "Write one JSON object; on the terminal it replaces the words");
-    addOptionalFile(*command, "--markdown", arguments->markdown, "Write a table of the levels");
-    command
-        ->add_option_function<std::string>(
-            "--keep", [arguments](std::string const& folder) { arguments->keep = folder; },
-            "Write each found solution, for `trembler run --solution`, and a picture of it; no file is "
-            "replaced")
-        ->type_name("DIR");
+    addOptionalFile(*command, "--markdown", arguments->markdown, file_kinds::markdown,
+                    "Write a table of the levels");
+    addOutputFolder(
+        *command, "--keep", arguments->keep,
+        "Write each found solution, for `trembler run --solution`, and a picture of it; no file is "
+        "replaced");
     command->add_flag("--add-to-level", arguments->addToLevel,
                       "Add found solutions of kinds that nobody recorded to the level's own file; all else "
                       "in it stays as it is");
     addWorkerOptions(*command, arguments->work);
     addModFolders(*command, arguments->mods);
     command->footer(outputConvention);
-    command->callback([arguments, &result] {
-        takeBack(arguments->levels, arguments->json);
-        takeBack(arguments->levels, arguments->markdown);
+    command->callback([command, arguments, &work] {
+        takeBack(*command, "LEVEL", arguments->levels, "--json", arguments->json);
+        takeBack(*command, "LEVEL", arguments->levels, "--markdown", arguments->markdown);
         if (arguments->levels.empty()) {
             throw CLI::RequiredError("LEVEL");
         }
-        result = guarded([&] { return solveLevels(*arguments); });
+        work = [arguments] { return solveLevels(*arguments); };
     });
 }
 

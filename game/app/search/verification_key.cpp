@@ -1,38 +1,42 @@
 #include "game/app/search/verification_key.hpp"
 
 #include "insight/trial/text_hash.hpp"
+#include "runtime/file/folder_files.hpp"
 #include "runtime/level/json/diagnostic.hpp"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <fstream>
-#include <iterator>
 #include <system_error>
-#include <vector>
 
 namespace trembler {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// A file's name and bytes; no bytes if it cannot be read.
+/// A file's name and the hash of its bytes; of none if it cannot be read. A mod may have files of any size,
+/// so they are read in pieces.
 void addFile(std::string& text, fs::path const& file) {
     std::ifstream in(file, std::ios::binary);
-    std::string const bytes{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-    text += fmt::format("{}\n{}\n", file.string(), bytes.size()) + bytes;
+    std::string piece(std::size_t{1} << 20U, '\0');
+    std::string hash;
+    while (in) {
+        in.read(piece.data(), static_cast<std::streamsize>(piece.size()));
+        hash = insight::hashOf(hash + piece.substr(0, static_cast<std::size_t>(in.gcount())));
+    }
+    text += fmt::format("{}\n{}\n", file.string(), hash);
 }
 
 void addFolder(std::string& text, fs::path const& folder) {
-    std::vector<fs::path> files;
+    constexpr std::size_t most = 10'000; // files of a mod
+    FirstPaths files(most);
     std::error_code error;
     for (fs::recursive_directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
         if (at->is_regular_file(error)) {
-            files.push_back(at->path());
+            files.add(at->path());
         }
     }
-    std::sort(files.begin(), files.end());
-    for (fs::path const& file : files) {
+    for (fs::path const& file : files.sorted()) {
         addFile(text, file);
     }
 }

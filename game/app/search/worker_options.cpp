@@ -12,7 +12,7 @@ namespace trembler {
 void addWorkerOptions(CLI::App& command, WorkerArguments& arguments) {
     addNumber(command, "--threads", arguments.threads, 1, 256,
               "Number of threads (default: one for each processor); the result does not depend on it");
-    addFile(command, "--resume", arguments.resume,
+    addFile(command, "--resume", arguments.resume, file_kinds::journal,
             "A file to which every finished run is added as it comes; what it already holds is not done "
             "again");
     command.add_flag(

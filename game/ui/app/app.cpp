@@ -10,8 +10,8 @@
 #include "game/ui/shared/texts.hpp"
 #include "puzzle/campaign/free_play.hpp"
 #include "render/draw/palette.hpp"
+#include "runtime/file/folders.hpp"
 #include "runtime/file/output_file.hpp"
-#include "runtime/level/json/diagnostic.hpp"
 
 #include <exception>
 #include <optional>
@@ -53,6 +53,7 @@ GameApp::GameApp(render::Window& window, Registry const& registry, PartLibrary c
                .builds = KeptBuilds(besideProfile(options.profile, "builds")),
                .kinds = {},
                .keys = KeyBindings(commandLists()),
+               .pending = PendingWrites(context_.toasts),
                .recorder = Recorder(options.pictures),
                .solutions =
                    SavedSolutions(options.profile.empty() ? options.pictures / "solutions"
@@ -66,6 +67,9 @@ GameApp::GameApp(render::Window& window, Registry const& registry, PartLibrary c
     std::vector<std::string> troubles = context_.profile.troubles();
     for (std::string& trouble : context_.keys.load(context_.profile.keys())) {
         troubles.push_back(std::move(trouble));
+    }
+    for (Diagnostic const& fault : options.faults) {
+        troubles.push_back(shownFault(fault));
     }
     for (std::string const& trouble : troubles) {
         context_.toasts.add(trouble, render::ToastKind::Trouble, 12);
@@ -82,6 +86,14 @@ GameOptions GameApp::withNewParts(GameOptions options) const {
 
 GameApp::~GameApp() {
     screen_->leave();
+    keepAtOnce();
+}
+
+void GameApp::keepAtOnce() {
+    screen_->keep();
+    context_.profile.finish();
+    context_.builds.finish();
+    context_.pending.finish();
 }
 
 void GameApp::show(std::unique_ptr<Screen> screen) {
@@ -118,7 +130,7 @@ void GameApp::showTitle() {
 void GameApp::tryOpen(std::filesystem::path const& level) {
     try {
         open(level);
-    } catch (InputError const& error) {
+    } catch (std::exception const& error) {
         context_.toasts.add(shownError(error), render::ToastKind::Trouble, 10);
     }
 }
@@ -130,7 +142,7 @@ void GameApp::openFreePlay() {
         file = options_.pictures / "free-play.json";
     }
     try {
-        fs::create_directories(file.parent_path());
+        makeFolder(file.parent_path());
         // In every language, as the player may choose another one while it is played.
         Translations texts;
         for (Language const& language : languages()) {
@@ -139,11 +151,32 @@ void GameApp::openFreePlay() {
         }
         writeFile(file, freePlayLevel(newest_ ? newest_->parts : context_.parts, text("free.title"),
                                       text("free.text"), texts));
+    } catch (OutputError const& error) {
+        std::error_code unknown;
+        if (!fs::exists(file, unknown)) { // else that of the last time is as good, but for new parts
+            context_.toasts.add(notWritten(Owned::level, error), render::ToastKind::Trouble, 10);
+            return;
+        }
     } catch (std::exception const& error) {
         context_.toasts.add(shownError(error), render::ToastKind::Trouble, 10);
         return;
     }
     tryOpen(file);
+}
+
+void GameApp::keepOwned(double seconds) {
+    context_.profile.pass(seconds);
+    context_.builds.pass(seconds);
+    context_.pending.pass(seconds);
+    context_.pending.look(Owned::progress, context_.profile.unwritten());
+    context_.pending.look(Owned::build, context_.builds.unwritten());
+    std::vector<DamagedFile> damaged = context_.builds.takeDamaged();
+    for (DamagedFile& one : context_.solutions.takeDamaged()) {
+        damaged.push_back(std::move(one));
+    }
+    for (DamagedFile const& one : damaged) {
+        context_.toasts.add(inWords(one), render::ToastKind::Trouble, 12);
+    }
 }
 
 void GameApp::takeKinds() {
@@ -161,6 +194,19 @@ void GameApp::toggleFullscreen() {
     changeSettings(context_, settings);
 }
 
+void GameApp::quit() {
+    keepAtOnce();
+    bool const lost =
+        context_.profile.unwritten() || context_.builds.unwritten() || context_.pending.waiting() > 0;
+    warned_ = warned_ && lost;
+    if (lost && !std::exchange(warned_, true)) {
+        menu_.close();
+        context_.toasts.add(text("kept.quit_again"), render::ToastKind::Trouble, 10);
+        return;
+    }
+    going_ = false;
+}
+
 void GameApp::follow(ScreenRequest const& asked) {
     struct Follower {
         GameApp& app;
@@ -173,7 +219,7 @@ void GameApp::follow(ScreenRequest const& asked) {
         void operator()(request::OpenEditor const& wanted) const { app.edit(wanted.level); }
         void operator()(request::ShowTitle const&) const { app.showTitle(); }
         void operator()(request::SwitchFullscreen const&) const { app.toggleFullscreen(); }
-        void operator()(request::Quit const&) const { app.going_ = false; }
+        void operator()(request::Quit const&) const { app.quit(); }
     };
     bool const stays = std::holds_alternative<request::OpenMenu>(asked) ||
                        std::holds_alternative<request::SwitchFullscreen>(asked);
@@ -245,6 +291,7 @@ bool GameApp::frame(double seconds, bool seen) {
     context_.layout.beginFrame();
     context_.focus.beginFrame();
     update(seconds);
+    keepOwned(seconds);
     context_.letters.draw(context_.layout, context_.keys);
     clicks_.look(context_);
     bool const drawn = seen || screen_->keepsPicture();

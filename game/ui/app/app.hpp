@@ -5,6 +5,7 @@
 #include "game/ui/app/menu/menu.hpp"
 #include "game/ui/shared/screen.hpp"
 #include "game/ui/shared/ui_context.hpp"
+#include "runtime/level/json/diagnostic.hpp"
 
 #include <filesystem>
 #include <functional>
@@ -26,6 +27,7 @@ struct GameOptions {
     bool steady = false;                       ///< disables blinking, for tests
     LevelData levelData{};                     ///< empty: levels that name mods cannot be played
     std::vector<std::filesystem::path> mods{}; ///< folders of mods whose levels are listed
+    std::vector<Diagnostic> faults{};          ///< of the player's own parts, which are reported
     /// The levels as a game with the same levels, data and mods has read them; copied. nullptr: all levels
     /// are read now.
     LevelCatalog const* catalog = nullptr;
@@ -67,6 +69,9 @@ public:
     [[nodiscard]] UiContext& context() { return context_; }
     [[nodiscard]] Menu const& menu() const { return menu_; }
 
+    /// Tries once more to write what the disk has not taken so far, before the program ends.
+    void keepAtOnce();
+
 private:
     /// Levels get the data with the parts made in the editor, unless they need others.
     [[nodiscard]] GameOptions withNewParts(GameOptions options) const;
@@ -79,6 +84,9 @@ private:
     /// Whether the present picture shows something that moves or is new.
     [[nodiscard]] bool lively() const;
     void takeKinds();
+    void keepOwned(double seconds);
+    /// At the first time only a warning, if something would be lost.
+    void quit();
     void toggleFullscreen();
 
     std::shared_ptr<GameData const> newest_; // with the parts made in the editor; nullptr: none was made
@@ -89,6 +97,7 @@ private:
     std::unique_ptr<Screen> screen_;        // never nullptr
     ClickSounds clicks_;
     bool going_ = true;
+    bool warned_ = false;  // that something would be lost
     double sinceNews_ = 0; // s
 };
 

@@ -7,12 +7,15 @@
 #include "game/ui/headless/screenshot.hpp"
 #include "game/ui/shared/kept/user_folders.hpp"
 #include "game/ui/shared/shown_faults.hpp"
+#include "puzzle/checks/checked_level.hpp"
+#include "runtime/file/folders.hpp"
 #include "runtime/level/json/diagnostic.hpp"
 #include "runtime/level/read/read_level.hpp"
 
 #include <fmt/format.h>
 
 #include <chrono>
+#include <exception>
 #include <iostream>
 
 namespace trembler::ui {
@@ -90,7 +93,8 @@ void writePicture(GameData const& gameData, Session const& session, fs::path con
 int playWithoutDisplay(GameData const& gameData, PlayOptions const& options, std::ostream& out) {
     fs::path const file = options.level.empty() ? firstLevel(gameData) : options.level;
     WorldOptions world = options.world;
-    Session session(gameData.registry, gameData.parts, loadLevel(gameData.registry, file), world);
+    Session session(gameData.registry, gameData.parts, loadPlayable(gameData.registry, gameData.parts, file),
+                    world);
     LevelFile const& level = session.level();
     out << fmt::format("Playing \"{}\" ({})", level.title, gameData.shortName(file));
     std::uint64_t frames = usualFrames;
@@ -119,8 +123,7 @@ int playWithoutDisplay(GameData const& gameData, PlayOptions const& options, std
     fs::path const picture = options.picture.empty()
                                  ? options.pictures / ("trembler-" + file.stem().string() + ".png")
                                  : options.picture;
-    std::error_code ignored; // errors are ignored here: writing the picture reports them
-    fs::create_directories(options.pictures, ignored);
+    makeFolder(options.pictures);
     writePicture(gameData, session, picture, out);
     return solved ? 0 : 1;
 }
@@ -137,7 +140,8 @@ int playInWindow(GameData const& gameData, PlayOptions const& options) {
                  .world = options.world,
                  .loudspeaker = &loudspeaker,
                  .levelData = options.levelData,
-                 .mods = options.mods});
+                 .mods = options.mods,
+                 .faults = gameData.ownPartFaults});
     if (options.fullscreen) {
         window.setFullscreen(true);
     }
@@ -146,13 +150,20 @@ int playInWindow(GameData const& gameData, PlayOptions const& options) {
     } else if (!options.level.empty()) {
         try {
             app.open(options.level);
-        } catch (InputError const& error) { // reported where a player without a terminal sees it, too
+        } catch (std::exception const& error) { // reported where a player without a terminal sees it, too
             std::cerr << error.what() << std::endl;
             app.context().toasts.add(shownError(error), render::ToastKind::Trouble, 60);
         }
     }
     GameLoop loop(app, window);
     while (loop.turn()) {
+    }
+    app.keepAtOnce();
+    // The window is about to be gone.
+    for (auto const& why : {app.context().profile.unwritten(), app.context().builds.unwritten()}) {
+        if (why) {
+            std::cerr << why->what() << std::endl;
+        }
     }
     return 0;
 }
@@ -166,7 +177,9 @@ int play(GameData const& gameData, PlayOptions const& options) {
         }
         std::cout << error.what() << "\n\n";
     }
-    return playWithoutDisplay(options.ofLevel == nullptr ? gameData : *options.ofLevel, options, std::cout);
+    auto const ofLevel =
+        options.levelData && !options.level.empty() ? options.levelData(options.level) : nullptr;
+    return playWithoutDisplay(ofLevel == nullptr ? gameData : *ofLevel, options, std::cout);
 }
 
 } // namespace trembler::ui

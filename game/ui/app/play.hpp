@@ -18,9 +18,7 @@ struct PlayOptions {
         picture; ///< file that playWithoutDisplay writes; empty: trembler-NAME.png in `pictures`
     WorldOptions world{};
     bool fullscreen = false;
-    bool edits = false; ///< `level` is opened in the editor; empty: a new one
-    GameData const* ofLevel =
-        nullptr; ///< the data with which `level` is played without a display; nullptr: as for other levels
+    bool edits = false;                        ///< `level` is opened in the editor; empty: a new one
     LevelData levelData{};                     ///< see GameOptions
     std::vector<std::filesystem::path> mods{}; ///< see GameOptions
 };

@@ -10,6 +10,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
 
 namespace trembler::ui {
 namespace {
@@ -84,9 +85,15 @@ float forceLength(double newtons) {
 
 void drawOverlayLegend(Layout& layout, Shown const& shown, float below) {
     constexpr float highest = 210; // with all overlays, pixels at UI scale 1
-    auto const goal = layout.card("goal");
-    float const top = ImGui::GetIO().DisplaySize.y - scaled(bottomRow + below + highest);
-    bool const room = !goal || goal->high.y <= static_cast<double>(top);
+    constexpr float widest = 330;
+    ImVec2 const screen = ImGui::GetIO().DisplaySize;
+    Rect const there{{0, static_cast<double>(screen.y - scaled(bottomRow + below + highest))},
+                     {static_cast<double>(scaled(cardGap + widest)), static_cast<double>(screen.y)}};
+    constexpr std::array others{"goal", "hints", "inspector", "why"};
+    bool const room = std::none_of(others.begin(), others.end(), [&](char const* other) {
+        auto const card = layout.card(other);
+        return card && card->overlaps(there);
+    });
     if (!room || (!shown.electricity && !shown.magnetism && !shown.contacts)) {
         return;
     }

@@ -78,49 +78,35 @@ void drawSuccess(CommandButtons& buttons, Session const& session, Celebration co
         return;
     }
     Layout& layout = buttons.layout();
+    float const width = toolboxWidth(ImGui::GetIO().DisplaySize.x / theme().scale, hasLargeToolbox(session));
     if (look.moving) {
-        drawConfetti(celebration.age(), ImGui::GetIO().DisplaySize.x - scaled(toolboxWidth + 2 * cardGap));
+        drawConfetti(celebration.age(), ImGui::GetIO().DisplaySize.x - scaled(width + 2 * cardGap));
     }
     // In a run the toolbox leaves its place, where nothing of the machine lies.
-    CardOptions const beside{
-        .anchor = Anchor::TopRight, .offset = {cardGap, cornerRow}, .width = toolboxWidth};
-    CardOptions const above{.anchor = Anchor::Top, .width = 404};
-    layout.beginCard("success", "", look.narrow ? beside : above);
-    float const seal = scaled(30);
+    layout.beginCard("success", "",
+                     {.anchor = Anchor::TopRight, .offset = {cardGap, cornerRow}, .width = width});
+    float const seal = scaled(std::min(30.F, 0.12F * width)); // so that the words fit beside it
     ImVec2 const at = ImGui::GetCursorScreenPos();
     if (layout.card("success")) { // never alone: the card is not seen before its size is known
         drawSeal({at.x + seal, at.y + seal}, seal,
                  look.moving ? celebration.age() : std::numeric_limits<double>::infinity());
     }
-    ImGui::SetCursorScreenPos({at.x + 2 * seal + scaled(16), at.y - scaled(2)});
+    ImGui::SetCursorScreenPos({at.x + 2 * seal + scaled(12), at.y - scaled(2)});
     ImGui::BeginGroup();
     ImGui::PushFont(theme().fonts.heading);
     ImGui::TextUnformatted(words::solved);
     ImGui::PopFont();
-    std::string const line =
-        words::solvedWith(celebration.solvedAt().value_or(0), static_cast<int>(session.placed().size()));
-    if (!look.narrow) {
-        caption(line.c_str());
-    }
     if (look.last) {
         caption(words::lastLevel);
     }
     ImGui::EndGroup();
     ImGui::SetCursorScreenPos({at.x, std::max(ImGui::GetItemRectMax().y, at.y + 2 * seal) + scaled(12)});
-    if (look.narrow) {
-        caption(line.c_str());
-    }
+    caption(words::solvedWith(celebration.solvedAt().value_or(0), static_cast<int>(session.placed().size()))
+                .c_str());
     buttons.big("next-level",
                 {.label = look.next, .look = ButtonLook::Primary, .width = -1, .withTip = false});
-    if (look.narrow) {
-        buttons.big("watch-again", {.width = -1, .withTip = false});
-        buttons.big("keep-playing", {.width = -1, .withTip = false});
-    } else {
-        float const half = (ImGui::GetContentRegionAvail().x - scaled(8)) / 2 / theme().scale;
-        buttons.big("watch-again", {.width = half, .withTip = false});
-        ImGui::SameLine(0, scaled(8));
-        buttons.big("keep-playing", {.width = half, .withTip = false});
-    }
+    buttons.big("watch-again", {.width = -1, .withTip = false});
+    buttons.big("keep-playing", {.width = -1, .withTip = false});
     layout.endCard();
 }
 

@@ -1,4 +1,6 @@
 #include "game/ui/cards/play_cards.hpp"
+#include "game/ui/cards/toolbox_finder.hpp"
+#include "game/ui/cards/toolbox_view.hpp"
 #include "game/ui/shared/commands/asked_twice.hpp"
 #include "game/ui/shared/words.hpp"
 #include "render/draw/palette.hpp"
@@ -14,7 +16,15 @@ namespace {
 using namespace render;
 
 constexpr float tileSide = 92;
+constexpr float tileFoot = 24;
 constexpr float handRowHeight = 52;
+constexpr float leastTileInLarge = 66; ///< a large toolbox has as many columns as fit
+constexpr float tallWindow = 700;      ///< with room for rows of buttons below a large toolbox
+
+/// What the card has beside its tiles, pixels at UI scale 1.
+constexpr float smallRest = 200; ///< title, hint, the button that puts all parts back
+constexpr float largeRest = 222; ///< title, search, groups, that button
+constexpr float wireRow = 56;
 
 /// Shows the part's description while the mouse rests on its tile: left of the toolbox, whose other tiles
 /// stay in sight.
@@ -42,12 +52,15 @@ void drawWhereToDrop() {
 
 /// The keys for the part in the hand, if there is room for them.
 void drawHandRow(CommandButtons& buttons) {
-    float const width = 4 * scaled(40) + 3 * scaled(7);
+    constexpr float sides = 4 * 40;
+    float const room = ImGui::GetContentRegionAvail().x / theme().scale;
+    float const between = std::clamp((room - sides) / 3, 2.F, 6.F);
+    float const width = scaled(sides + 3 * between);
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 0.5F * (ImGui::GetContentRegionAvail().x - width));
     bool first = true;
     for (char const* const id : {"turn-left", "turn-right", "flip", "put-back"}) {
         if (!first) {
-            ImGui::SameLine(0, scaled(7));
+            ImGui::SameLine(0, scaled(between));
         }
         first = false;
         buttons.icon(id);
@@ -63,56 +76,61 @@ void drawAllBack(CommandButtons& buttons, AskedTwice const& allBack) {
                              .withIcon = !asks});
 }
 
-} // namespace
+/// In a low window: the buttons for wires and for putting all parts back.
+void drawIconRow(CommandButtons& buttons, bool wires) {
+    float const width = (wires ? 2 : 1) * scaled(40) + (wires ? scaled(7) : 0);
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 0.5F * (ImGui::GetContentRegionAvail().x - width));
+    if (wires) {
+        buttons.icon("wire");
+        ImGui::SameLine(0, scaled(7));
+    }
+    buttons.icon("all-back");
+}
 
-std::optional<std::string> drawToolbox(CommandButtons& buttons, Session const& session, PartCatalog& catalog,
-                                       std::optional<CarriedPart> const& carried, std::string const& hint,
-                                       AskedTwice const& allBack, bool laying) {
-    Layout& layout = buttons.layout();
+struct TileGrid {
+    std::size_t columns = 2;
+    float side = tileSide; ///< at most
+    float gap = 8;
+};
+
+/// The tiles, in columns that are centred in the card. Returns the part that was taken.
+std::optional<std::string> drawTiles(Layout& layout, std::vector<ToolboxSlot> const& shown,
+                                     PartCatalog& catalog, std::optional<CarriedPart> const& carried,
+                                     TileGrid const& grid, bool toHand) {
     std::optional<std::string> taken;
-    auto const slots = session.toolbox();
-    int const wires = session.level().wires;
-    if (slots.empty() && wires == 0) {
-        return taken;
-    }
-    layout.beginCard("toolbox", words::toolbox,
-                     {.anchor = Anchor::TopRight, .offset = {cardGap, cornerRow}, .width = toolboxWidth});
-    float const screen = ImGui::GetIO().DisplaySize.y;
-    float const gap = scaled(8);
-    float const tile = scaled(tileSide + 24);
-    auto const rows = static_cast<float>((slots.size() + 1) / 2);
-    float const wanted = rows * (tile + gap);
-    float const without = screen - scaled(cornerRow + bottomRow + 200 + (wires > 0 ? 56 : 0));
-    bool const handRow = !slots.empty() && without > tile + scaled(handRowHeight);
-    float const room = without - (handRow ? scaled(handRowHeight) : 0);
-    bool const scrolls = wanted > room;
-    if (scrolls) {
-        ImGui::PushStyleColor(ImGuiCol_ChildBg, ImVec4(0, 0, 0, 0));
-        ImGui::BeginChild("tiles", {0, room});
-    }
+    float const gap = scaled(grid.gap);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(gap, gap));
-    // Two columns, centred in the card; a scroll bar takes some of their width.
-    float const width = ImGui::GetContentRegionAvail().x;
-    float const side = std::min(tileSide, 0.5F * (width - gap) / theme().scale);
-    float const left = ImGui::GetCursorPosX() + 0.5F * (width - (2 * scaled(side) + gap));
-    for (std::size_t i = 0; i < slots.size(); ++i) {
-        if (i % 2 == 1) {
+    float const width = ImGui::GetContentRegionAvail().x; // a scroll bar takes some of it
+    auto const columns = static_cast<float>(grid.columns);
+    float const side = std::min(grid.side, ((width - (columns - 1) * gap) / columns) / theme().scale);
+    float const left =
+        ImGui::GetCursorPosX() + 0.5F * (width - (columns * scaled(side) + (columns - 1) * gap));
+    for (std::size_t i = 0; i < shown.size(); ++i) {
+        if (i % grid.columns != 0) {
             ImGui::SameLine();
         } else {
             ImGui::SetCursorPosX(left);
         }
-        ToolboxSlot const& slot = slots[i];
+        ToolboxSlot const& slot = shown[i];
         bool const inHand = carried && carried->part == slot.part;
+        bool const unlimited = slot.left == unlimitedCount;
+        bool const inSight = ImGui::IsRectVisible({scaled(side), scaled(side + tileFoot)});
         std::string const title = catalog.titleOf(slot.part);
-        int const rest = slot.left - (inHand && carried->isNew ? 1 : 0); // that one is in the hand
         auto const pixels = static_cast<int>(std::lround(scaled(side - 12)));
-        TileUse const use = toolboxTile({.id = slot.part.c_str(),
-                                         .name = title.c_str(),
-                                         .count = rest,
-                                         .picture = catalog.picture(slot.part, pixels),
-                                         .selected = inHand,
-                                         .side = side});
-        layout.item("part " + slot.part);
+        TileUse const use = toolboxTile(
+            {.id = slot.part.c_str(),
+             .name = title.c_str(),
+             .count =
+                 unlimited ? -1 : slot.left - (inHand && carried->isNew ? 1 : 0), // that one is in the hand
+             .picture = inSight ? catalog.picture(slot.part, pixels) : 0,
+             .selected = inHand,
+             .side = side});
+        if (inHand && toHand) {
+            ImGui::SetScrollHereY();
+        }
+        if (inSight) {
+            layout.item("part " + slot.part);
+        }
         if (use.taken) {
             taken = slot.part;
         }
@@ -121,6 +139,67 @@ std::optional<std::string> drawToolbox(CommandButtons& buttons, Session const& s
         }
     }
     ImGui::PopStyleVar();
+    return taken;
+}
+
+} // namespace
+
+bool hasLargeToolbox(Session const& session) {
+    return session.level().toolbox.size() > ToolboxView::mostInSmall;
+}
+
+std::optional<std::string> drawToolbox(CommandButtons& buttons, Session const& session, PartCatalog& catalog,
+                                       ToolboxView& view, ToolboxLook const& look) {
+    Layout& layout = buttons.layout();
+    std::optional<std::string> taken;
+    auto const slots = session.toolbox();
+    int const wires = session.level().wires;
+    if (slots.empty() && wires == 0) {
+        return taken;
+    }
+    bool const large = ToolboxView::large(slots);
+    auto const& carried = look.carried;
+    layout.beginCard(
+        "toolbox", words::toolbox,
+        {.anchor = Anchor::TopRight,
+         .offset = {cardGap, cornerRow},
+         .width = toolboxWidth(ImGui::GetIO().DisplaySize.x / theme().scale, hasLargeToolbox(session))});
+    if (large) {
+        drawToolboxFinder(buttons, slots, catalog, view, look.escape);
+    }
+    std::vector<ToolboxSlot> const shown = view.shown(slots, catalog);
+    float const screen = ImGui::GetIO().DisplaySize.y;
+    TileGrid grid;
+    if (large) {
+        float const width =
+            (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ScrollbarSize) / theme().scale;
+        grid.gap = 6;
+        grid.columns =
+            static_cast<std::size_t>(std::max(1.F, (width + grid.gap) / (leastTileInLarge + grid.gap)));
+        auto const columns = static_cast<float>(grid.columns);
+        grid.side = std::min(tileSide, (width - (columns - 1) * grid.gap) / columns);
+    }
+    float const tile = scaled(grid.side + tileFoot);
+    auto const rows = static_cast<float>((shown.size() + grid.columns - 1) / grid.columns);
+    float const rest = large ? largeRest : smallRest;
+    bool const low = large && screen < scaled(tallWindow);
+    float const more = wires > 0 && !low ? wireRow : 0; // in a low window one row has both buttons
+    float const without = screen - scaled(cornerRow + bottomRow + rest + more);
+    bool const handRow = !slots.empty() && without > tile + scaled(handRowHeight) && !low;
+    float const room = without - (handRow ? scaled(handRowHeight) : 0);
+    // A large toolbox keeps its size, whatever is sought in it.
+    bool const scrolls = large || rows * (tile + scaled(grid.gap)) > room;
+    if (scrolls) {
+        ImGui::PushStyleColor(ImGuiCol_ChildBg, ImVec4(0, 0, 0, 0));
+        ImGui::BeginChild("tiles", {0, room});
+    }
+    if (large && shown.empty()) {
+        caption(words::noSuchPart);
+    }
+    bool const toHand = view.newInHand(carried && carried->isNew ? carried->part : std::string());
+    if (auto const pressed = drawTiles(layout, shown, catalog, carried, grid, toHand)) {
+        taken = pressed;
+    }
     if (scrolls) {
         ImGui::EndChild();
         ImGui::PopStyleColor();
@@ -128,14 +207,22 @@ std::optional<std::string> drawToolbox(CommandButtons& buttons, Session const& s
     if (handRow) {
         drawHandRow(buttons);
     }
-    if (wires > 0) {
-        std::string const label = words::wiresLeft(session.wiresLeft());
-        buttons.big(
-            "wire",
-            {.label = label.c_str(), .look = laying ? ButtonLook::Primary : ButtonLook::Quiet, .width = -1});
+    if (low) {
+        drawIconRow(buttons, wires > 0);
+    } else if (wires > 0) {
+        std::string const key = buttons.keyOf("wire");
+        std::string const label =
+            words::wiresLeft(session.wiresLeft()) + (large && !key.empty() ? " (" + key + ")" : "");
+        buttons.big("wire", {.label = label.c_str(),
+                             .look = look.laying ? ButtonLook::Primary : ButtonLook::Quiet,
+                             .width = -1});
     }
-    smallCaption(carried ? words::dropHere : hint.c_str());
-    drawAllBack(buttons, allBack);
+    if (!large) {
+        smallCaption(carried ? words::dropHere : look.hint.c_str());
+    }
+    if (!low) {
+        drawAllBack(buttons, look.allBack);
+    }
     if (carried) {
         drawWhereToDrop();
     }

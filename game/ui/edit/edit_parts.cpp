@@ -66,6 +66,7 @@ void EditParts::tell(std::string text, render::ToastKind kind) {
 
 void EditParts::use(edit::LevelDocument next, std::shared_ptr<GameData const> nextData) {
     autosave->close();
+    context.pending.forget(Owned::unsavedLevel);
     autosave = std::make_unique<edit::Autosave>(options.recovery);
     document = std::move(next);
     setData(std::move(nextData));
@@ -124,7 +125,7 @@ void EditParts::openFile(std::filesystem::path const& path) {
     try {
         auto const own = dataFor(path);
         use(edit::LevelDocument::open(*own, path), own);
-    } catch (InputError const& error) {
+    } catch (std::exception const& error) {
         tell(shownError(error), render::ToastKind::Trouble);
     }
 }
@@ -199,6 +200,7 @@ void EditParts::follow(double seconds, bool dragging) {
         problems.refresh(document);
     }
     autosave->tick(document, seconds);
+    context.pending.look(Owned::unsavedLevel, autosave->error());
 }
 
 render::Extent EditParts::extent() const {

@@ -1,6 +1,7 @@
 // The parts of the editor's screen. Its commands, its panels, its mouse and its drawing work on them.
 #pragma once
 
+#include "game/ui/edit/fields/drop_down.hpp"
 #include "game/ui/edit/files/dialogs.hpp"
 #include "game/ui/edit/files/file_browser.hpp"
 #include "game/ui/edit/panels/command_palette.hpp"
@@ -48,9 +49,10 @@ struct EditOptions {
 struct AboutSelection {
     std::uint64_t revision = 0;
     std::vector<std::string> names;
-    std::optional<Box> box; ///< around the selected objects that are not locked, m
-    bool scales = false;    ///< alike in both directions
-    bool stretches = false; ///< in one direction
+    std::optional<Box> box;    ///< around the selected objects that are not locked, m
+    std::vector<Vec2> corners; ///< of the outline of a single polygon, m
+    bool scales = false;       ///< alike in both directions
+    bool stretches = false;    ///< in one direction
     bool known = false;
 };
 struct InspectedSelection {
@@ -114,6 +116,7 @@ struct EditParts {
     std::string translation; ///< the language of the page's translations; may be empty
     ShownEntries entries;    ///< of the page of solutions
 
+    DropDown dropDown;    ///< of all lists of the panels
     edit::Gesture widget; ///< of the widget that is being used: all its values are one step of undo
     std::map<std::string, std::string>
         typed; ///< texts of the fields that are being used, until they are left

@@ -21,6 +21,7 @@
 #include <array>
 #include <iterator>
 #include <utility>
+#include <vector>
 
 namespace trembler::ui {
 namespace {
@@ -28,7 +29,13 @@ namespace {
 using namespace render;
 
 /// From the right edge of the window to the left of the buttons in its corner, pixels at UI scale 1.
-constexpr float besideCorner = 354;
+constexpr float besideCorner = cornerWidth + 2 * cardGap;
+/// Of the two buttons there, and a gap.
+constexpr float besideCornerWidth = 2 * 40 + 7 + cardGap;
+
+bool isNarrow() {
+    return ImGui::GetIO().DisplaySize.x / theme().scale < roomyWidth;
+}
 
 void drawEditVeil() {
     ImGui::GetBackgroundDrawList()->AddRectFilled({0, 0}, ImGui::GetIO().DisplaySize,
@@ -49,8 +56,12 @@ EditScreen::EditScreen(UiContext& context, std::filesystem::path const& file, Ed
     }
     parts_.problems.refresh(parts_.document);
     if (!parts_.dialogs.isOpen()) {
-        if (auto const recovery = edit::findRecovery(parts_.options.recovery, file)) {
+        std::vector<DamagedFile> damaged;
+        if (auto const recovery = edit::findRecovery(parts_.options.recovery, file, &damaged)) {
             parts_.dialogs.offerRecovery({*recovery});
+        }
+        for (DamagedFile const& one : damaged) {
+            context.toasts.add(inWords(one), ToastKind::Trouble, 12);
         }
     }
 }
@@ -74,7 +85,7 @@ std::span<Gesture const> EditScreen::gestures() const {
 void EditScreen::drawTestCard() {
     UiContext& context = parts_.context;
     // Where the buttons at the bottom leave no room it stands beside those at the top, without words.
-    bool const narrow = ImGui::GetIO().DisplaySize.x / theme().scale < roomyWidth;
+    bool const narrow = isNarrow();
     CardOptions const beside{.anchor = Anchor::TopRight, .offset = {besideCorner, cardGap}, .bare = true};
     CardOptions const below{.anchor = Anchor::BottomRight, .bare = true};
     context.layout.beginCard("test", "", narrow ? beside : below);
@@ -100,6 +111,7 @@ void EditScreen::drawTestCard() {
 
 void EditScreen::updateTest(double seconds) {
     parts_.goals.follow(parts_.test->session());
+    parts_.test->keepBesideCorner(isNarrow() ? besideCornerWidth : 0);
     auto asked = parts_.test->update(seconds);
     parts_.goals.follow(parts_.test->session());
     parts_.autosave->tick(parts_.document, seconds);
@@ -117,7 +129,7 @@ void EditScreen::updateTest(double seconds) {
     bool const running = parts_.test->session().mode() != SessionMode::building;
     // The card of success comes to the same corner and says the same.
     bool const success = parts_.context.layout.card("success").has_value();
-    if (running && !success && !parts_.test->inspector().open()) {
+    if (running && !success && !parts_.test->inspector().open() && !parts_.test->why().open()) {
         drawLiveGoals(parts_, cornerRow);
     }
     drawTestCard();
@@ -158,18 +170,14 @@ void EditScreen::turnPages() {
 void EditScreen::handleKeys() {
     UiContext& context = parts_.context;
     bool const escape = context.menuKeys.pressed(MenuKey::back);
-    bool const popup = ImGui::GetCurrentContext()->OpenPopupStack.Size > 0;
-    if (escape && popup) { // a menu or a drop-down
+    keysOwner_.look(!parts_.partInHand.empty());
+    if (escape && KeysOwner::popup()) { // a menu or a drop-down
         ImGui::ClosePopupToLevel(0, true);
     }
-    if (escape && (popup || std::exchange(popupWasOpen_, popup))) {
+    if (keysOwner_.widgets()) {
         return;
     }
-    popupWasOpen_ = popup;
     if (escape && mouse_.cancel(parts_)) {
-        return;
-    }
-    if (context.gui.wantsKeyboard()) {
         return;
     }
     if (parts_.panelKeys) {
@@ -285,6 +293,7 @@ void EditScreen::leave() {
     parts_.studies->stopAll();
     // In order: the designer has given up the unsaved changes.
     parts_.autosave->close();
+    parts_.context.pending.forget(Owned::unsavedLevel);
 }
 
 } // namespace trembler::ui

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "game/ui/edit/edit_parts.hpp"
+#include "game/ui/edit/keys_owner.hpp"
 #include "game/ui/edit/tools/edit_mouse.hpp"
 #include "game/ui/play/mouse/pointer_reader.hpp"
 
@@ -44,8 +45,8 @@ private:
     CommandsOf<EditParts> testCommands_; ///< besides those of the test play
     PointerReader reader_;
     EditMouse mouse_;
-    bool popupWasOpen_ = false; // in the last picture
-    bool leaveAgreed_ = false;  // the designer gave the changes up
+    KeysOwner keysOwner_;
+    bool leaveAgreed_ = false; // the designer gave the changes up
 };
 
 } // namespace trembler::ui

@@ -98,6 +98,7 @@ inline char const* const& severalValues = editWord("several values");
 inline char const* const& objectsHeading = editWord("Objects");
 inline char const* const& jointsHeading = editWord("Joints");
 inline char const* const& connectionsHeading = editWord("Wires and other connections");
+inline char const* const& typeToFind = editWord("Type to search");
 inline char const* const& addProperty = editWord("Add a property …");
 inline char const* const& resetTip = editWord("Back to the value of the part");
 inline char const* const& removeTip = editWord("Without it");
@@ -137,6 +138,11 @@ inline char const* const& reset = editWord("reset");
 inline char const* const& removeShort = editWord("×");
 inline char const* const& removeIt = editWord("Remove");
 inline char const* const& addEntry = editWord("Add one more");
+inline char const* const& addEntryOfText = editWord("Add one more: {}");
+/// `list`: of what, as "Corners".
+[[nodiscard]] inline std::string addEntryOf(std::string const& list) {
+    return filledIn(addEntryOfText, list);
+}
 inline char const* const& upIt = editWord("Move up");
 inline char const* const& downIt = editWord("Move down");
 inline char const* const& fromPart = editWord("As the part states it");
@@ -194,6 +200,9 @@ inline char const* const& newHint = editWord("A hint");
 inline char const* const& toolboxHeading = editWord("Toolbox");
 inline char const* const& addToolTip = editWord("Add a part to the player's toolbox");
 inline char const* const& wiresField = editWord("Wires");
+inline char const* const& anyNumber = editWord("any number");
+inline char const* const& unlimitedTip = editWord("Any number, without a limit");
+inline char const* const& limitedTip = editWord("A certain number again");
 inline char const* const& wiresTip = editWord("How many wires the player may lay");
 inline char const* const& teachingHeading = editWord("Teaching");
 inline char const* const& addStepTip = editWord("Add a step of what a beginner is shown");
@@ -242,11 +251,13 @@ inline char const* const& angleStep = editWord("Angle");
 inline char const* const& radius = editWord("Radius");
 inline char const* const& jointField = editWord("Joint");
 inline char const* const& toolSettings = editWord("Drawing");
-inline char const* const& numberTip = editWord("Drag, or double-click to type a number");
+inline char const* const& numberTip =
+    editWord("Click to type a number, Tab for the next one; drag to change it");
 inline char const* const& snapTip = editWord("Snap places and angles to the grid");
 inline char const* const& readOnlyShort = editWord("read-only");
 inline char const* const& notSaved = editWord("not saved yet");
 inline char const* const& allSaved = editWord("saved");
+inline char const* const& notSafe = editWord("not safe from a crash");
 inline char const* const& testBack = editWord("Back to the editor");
 inline char const* const& playing = editWord("Test play");
 inline char const* const& recordIt = editWord("Record as a solution");
@@ -258,6 +269,7 @@ inline char const* const& recordedSolved = editWord("Recorded: a solution that s
 inline char const* const& recordedUnsolved = editWord("Recorded: a run that does not solve the level");
 inline char const* const& selectTwo =
     editWord("Select the two objects first, or drag from one to the other.");
+inline char const* const& jointToWorld = editWord("Held to the world here");
 inline char const* const& selectForGoal = editWord("Select the object that is to come there first.");
 inline char const* const& cannotTestText = editWord("This cannot be played yet: {}");
 [[nodiscard]] inline std::string cannotTest(std::string const& why) {

@@ -4,9 +4,9 @@
 #include "game/ui/play/view/sound_view.hpp"
 #include "game/ui/play/view/spark_view.hpp"
 #include "physics/dynamics/properties/contacts.hpp"
+#include "puzzle/checks/checked_level.hpp"
 #include "puzzle/solutions/solution_file.hpp"
 #include "render/gl/webp.hpp"
-#include "runtime/level/read/read_level.hpp"
 
 #include <cmath>
 
@@ -23,7 +23,8 @@ std::uint64_t framesIn(double seconds) {
 
 void writeClip(GameData const& gameData, ClipOptions const& options, OutputFile& file) {
     render::AnimatedWebp clip(options.size); // refuses a size before any work
-    Session session(gameData.registry, gameData.parts, loadLevel(gameData.registry, options.level));
+    Session session(gameData.registry, gameData.parts,
+                    loadPlayable(gameData.registry, gameData.parts, options.level));
     if (!options.solution.empty()) {
         session.load(findOrLoadSolution(gameData.registry, session.level(), options.solution));
     }

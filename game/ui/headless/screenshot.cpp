@@ -6,10 +6,10 @@
 #include "game/ui/play/view/sound_view.hpp"
 #include "game/ui/shared/camera_control.hpp"
 #include "game/ui/shared/scene_words.hpp"
+#include "puzzle/checks/checked_level.hpp"
 #include "puzzle/solutions/solution_file.hpp"
 #include "render/draw/palette.hpp"
 #include "render/panels/gui.hpp"
-#include "runtime/level/read/read_level.hpp"
 
 #include <fmt/format.h>
 
@@ -70,8 +70,8 @@ Image pictureOf(Window& window, GameData const&, Session const& session, Picture
 }
 
 Image screenshot(GameData const& gameData, ScreenshotOptions const& options) {
-    Session session(gameData.registry, gameData.parts, loadLevel(gameData.registry, options.level),
-                    options.world);
+    Session session(gameData.registry, gameData.parts,
+                    loadPlayable(gameData.registry, gameData.parts, options.level), options.world);
     if (!options.solution.empty()) {
         session.load(findOrLoadSolution(gameData.registry, session.level(), options.solution));
     } else if (options.firstSolution && !session.level().solutions.empty()) {

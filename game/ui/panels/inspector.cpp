@@ -14,8 +14,6 @@ namespace {
 
 using namespace render;
 
-constexpr float cardWidth = 324;
-
 void smallText(std::string const& text) {
     smallCaption(text.c_str());
 }
@@ -92,7 +90,7 @@ ObjectId Inspector::object(Session const& session) const {
     return subject_ ? session.find(*subject_) : ObjectId{};
 }
 
-bool Inspector::draw(Layout& layout, Session const& session, float top, float height, World const* past,
+bool Inspector::draw(Layout& layout, Session const& session, SidePlace const& place, World const* past,
                      char const* whyTip) {
     shown_.clear();
     if (!open()) {
@@ -103,7 +101,9 @@ bool Inspector::draw(Layout& layout, Session const& session, float top, float he
         name_ = session.world().store().nameOf(subject); // placed otherwise, parts may have other names
     }
     shown_ = inspect(past != nullptr ? *past : session.world(), subject, scripts_);
-    layout.beginCard("inspector", "", {.anchor = Anchor::TopRight, .offset = {16, top}, .width = cardWidth});
+    layout.beginCard(
+        "inspector", "",
+        {.anchor = Anchor::TopRight, .offset = {place.right, place.top}, .width = inspectorWidth});
     ImGui::PushFont(theme().fonts.heading);
     float const side = scaled(40);
     float const room = ImGui::GetContentRegionAvail().x - side;
@@ -124,7 +124,7 @@ bool Inspector::draw(Layout& layout, Session const& session, float top, float he
         // The list scrolls in the remaining height.
         float const used = ImGui::GetCursorPosY() + ImGui::GetStyle().WindowPadding.y;
         ImGui::PushStyleColor(ImGuiCol_ChildBg, ImVec4(0, 0, 0, 0));
-        ImGui::BeginChild("properties", {0, std::max(scaled(height) - used, scaled(80))});
+        ImGui::BeginChild("properties", {0, std::max(scaled(place.height) - used, scaled(80))});
         for (std::size_t i = 0; i < shown_.size(); ++i) {
             drawSection(shown_[i], i == 0);
         }

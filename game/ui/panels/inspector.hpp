@@ -1,6 +1,7 @@
 // Shows all properties of one object, from their own descriptions, and derived values of the current frame.
 #pragma once
 
+#include "game/ui/shared/card_sizes.hpp"
 #include "game/ui/shared/layout.hpp"
 #include "puzzle/session/session.hpp"
 
@@ -53,11 +54,10 @@ public:
     /// The name that it has, or had last, while the card is open.
     [[nodiscard]] std::string const& name() const { return name_; }
 
-    /// Call between Gui::beginFrame and endFrame. `top`, the distance from the window's top, and the maximum
-    /// `height` are in pixels at UI scale 1.
-    /// `past` is the world that is shown in place of the session's; nullptr: none. `whyTip` is the tip of the
-    /// button *Why?*; nullptr: there is nothing to ask about. True if the player asks why about the object.
-    [[nodiscard]] bool draw(Layout& layout, Session const& session, float top, float height,
+    /// Call between Gui::beginFrame and endFrame. `past` is the world that is shown in place of the
+    /// session's; nullptr: none. `whyTip` is the tip of the button *Why?*; nullptr: there is nothing to ask
+    /// about. True if the player asks why about the object.
+    [[nodiscard]] bool draw(Layout& layout, Session const& session, SidePlace const& place,
                             World const* past = nullptr, char const* whyTip = nullptr);
     /// The sections drawn last.
     [[nodiscard]] std::vector<InspectorSection> const& shown() const { return shown_; }

@@ -73,6 +73,9 @@ void usageRow(char const* name, double share, std::string const& text) {
 }
 
 void drawUsage(ModScript const& script) {
+    if (script.failure) {
+        return; // it had turns, of which nothing is kept after the failure that stands above
+    }
     heading(words::scriptUses);
     auto const usage = script.live->usage();
     if (!usage || usage->targets == 0) {

@@ -23,8 +23,8 @@ namespace {
 
 // Pixels at UI scale 1.
 constexpr float panelsWidth = 620;
-constexpr float inspectorWidth = 324;
 constexpr float leastForGoalAndPanel = 600; ///< height of the window
+constexpr float goalShare = 0.36F;          ///< of the window's height, that the goals may have
 
 void takeFromToolbox(PlayParts& parts, std::string const& part) {
     auto const& carried = parts.placing.carried();
@@ -47,44 +47,68 @@ struct Beside {
     bool toolbox = true;
     bool panels = true; ///< of components or of mods, if one is open
     bool success = false;
-    bool narrow = false;        ///< the window
-    bool narrowSuccess = false; ///< at the right and not in the middle
+    bool hints = false;
+    bool narrow = false;   ///< the window
+    float right = cardGap; ///< of the inspector and of the card that says why, see SidePlace
 };
 
+/// Whether the inspector would lie over the very object that it is about.
+bool coversItsObject(PlayParts const& parts, float width, float right) {
+    World const& world = parts.session.world();
+    ObjectId const object = parts.inspector.object(parts.session);
+    if (!object.valid()) {
+        return false;
+    }
+    auto const scale = static_cast<double>(parts.context.window.uiScale());
+    double const x = parts.camera().toScreen(parts.scene.poseOf(world, object).at).x / scale;
+    double const edge = static_cast<double>(width - right);
+    return x < edge && x > edge - static_cast<double>(inspectorWidth);
+}
+
 /// In a small window a panel takes the place of the goal or the toolbox, and is hidden behind cards that the
-/// player must see or has opened later.
+/// player must see or has opened later. The toolbox keeps its place while something is built: what is
+/// inspected or explained stands beside it.
 Beside cardsBeside(PlayParts const& parts) {
     render::Window const& window = parts.context.window;
     float const width = static_cast<float>(window.size().width) / window.uiScale();
     float const height = static_cast<float>(window.size().height) / window.uiScale();
     bool const panel = parts.components.open() || (parts.hasMods() && parts.modsPanel.open());
+    bool const building = parts.run.building();
     LevelFile const& level = parts.session.level();
-    bool const boxed = !level.toolbox.empty() || level.wires > 0;
-    Beside beside;
+    bool const boxed = building && (!level.toolbox.empty() || level.wires > 0);
+    float const box = boxed ? toolboxWidth(width, hasLargeToolbox(parts.session)) + cardGap : 0;
     bool const inspects = parts.inspector.open() || parts.why.open(); // one in the place of the other
+    Beside beside;
     beside.narrow = width < roomyWidth;
-    beside.success = parts.celebration.showing() && !(beside.narrow && parts.why.open());
-    beside.narrowSuccess = beside.narrow || (boxed && !inspects);
-    bool const atRight = inspects || (beside.success && beside.narrowSuccess);
-    bool const roomForBoth = width >= panelsWidth + inspectorWidth + 3 * cardGap;
-    beside.panels = panel && (roomForBoth || !atRight);
+    beside.success = parts.celebration.showing() && !inspects; // the player has asked for that since
+    bool const besidePanel = width >= panelsWidth + inspectorWidth + box + 3 * cardGap;
+    beside.panels = panel && (besidePanel || !(inspects || beside.success));
     beside.goal = !beside.panels || height >= leastForGoalAndPanel;
-    beside.toolbox = parts.run.building() && !inspects && (roomForBoth || !beside.panels);
+    beside.toolbox = building && (!beside.panels || width >= panelsWidth + box + 2 * cardGap);
+    beside.right = beside.toolbox ? cardGap + box : cardGap;
+    bool const left =
+        building && !beside.panels && !parts.why.open() && coversItsObject(parts, width, beside.right);
+    beside.right = left ? width - cardGap - inspectorWidth : beside.right;
+    bool const holds = parts.placing.carried() || parts.group.dragging();
+    float const roomForHints = 2 * cardGap + goalCardWidth + (inspects ? inspectorWidth + beside.right : 0);
+    beside.hints = building && parts.hintsShown > 0 && !parts.hintsFolded && !holds && beside.goal &&
+                   !parts.goalAside && !beside.panels && !left && width >= roomForHints;
     return beside;
+}
+
+/// Below the goals, or, without them, below the row of buttons; pixels at UI scale 1.
+float belowGoal(PlayParts const& parts, bool shown) {
+    auto const card = parts.context.layout.card("goal");
+    if (!shown || !card) {
+        return cornerRow;
+    }
+    return std::max(static_cast<float>(card->high.y) / parts.context.window.uiScale() + cardGap, cornerRow);
 }
 
 /// The components panel or that of mods, between the cards at the top of the screen and the row of tools.
 void drawPanels(PlayParts& parts, float screen, float bottom, Beside const& beside) {
     UiContext& context = parts.context;
-    float top = beside.goal ? 150 : cornerRow;
-    for (char const* above : {"goal", "success"}) {
-        if (beside.narrowSuccess && above == std::string_view("success")) {
-            continue;
-        }
-        if (auto const card = context.layout.card(above)) {
-            top = std::max(top, static_cast<float>(card->high.y) / context.window.uiScale() + cardGap);
-        }
-    }
+    float const top = belowGoal(parts, beside.goal);
     parts.budget.watch(parts.components.open());
     if (parts.components.open() && parts.budget.stale(parts.session.world())) {
         parts.budget.look(parts.session.world());
@@ -129,13 +153,13 @@ void drawRecording(PlayParts const& parts) {
 void savePlot(PlayParts& parts, std::string const& ending) {
     UiContext& context = parts.context;
     ProbePanel const& probes = parts.timeline.probes();
-    try {
-        std::string const content = ending == ".csv" ? probes.csv() : probes.svg(parts.timeline.last());
-        auto const path = context.recorder.writeText("plot", ending.c_str(), content);
-        context.toasts.add(textWith("Saved: {}", path.string()), render::ToastKind::News, 6);
-    } catch (std::runtime_error const& error) {
-        context.toasts.add(translated(error.what()), render::ToastKind::Trouble, 6);
-    }
+    std::string const content = ending == ".csv" ? probes.csv() : probes.svg(parts.timeline.last());
+    context.pending.write(
+        Owned::plot,
+        [&recorder = context.recorder, ending, content] {
+            return textWith("Saved: {}", shownPath(recorder.write("plot", ending, content)));
+        },
+        content.size());
 }
 
 /// The timeline, the plots above it, and the card in which they are chosen.
@@ -202,8 +226,8 @@ std::optional<CarriedPart> carriedPart(PlayParts const& parts) {
     return CarriedPart{carried->landing.part, !carried->number};
 }
 
-SuccessLook successLook(PlayParts const& parts, bool narrow) {
-    SuccessLook look{.narrow = narrow, .moving = !parts.context.profile.settings().reducedMotion};
+SuccessLook successLook(PlayParts const& parts) {
+    SuccessLook look{.moving = !parts.context.profile.settings().reducedMotion};
     if (!parts.celebration.showing()) {
         return look;
     }
@@ -217,6 +241,61 @@ SuccessLook successLook(PlayParts const& parts, bool narrow) {
     return look;
 }
 
+/// The words of the button for hints; nullptr: there are none, or it runs.
+char const* hintLabel(PlayParts const& parts) {
+    std::size_t const total = parts.said.hints().size();
+    if (total == 0 || !parts.run.building()) {
+        return nullptr;
+    }
+    if (parts.hintsShown == 0 || parts.hintsFolded || parts.hintsHidden) {
+        return words::hint;
+    }
+    return parts.hintsShown < total ? words::nextHint : words::foldHints;
+}
+
+void drawGoals(PlayParts& parts, CommandButtons& buttons) {
+    render::Window const& window = parts.context.window;
+    float const width = static_cast<float>(window.size().width) / window.uiScale();
+    float const height = static_cast<float>(window.size().height) / window.uiScale();
+    bool const panel = parts.components.open() || parts.modsPanel.open();
+    // While it runs the card covers as little as possible.
+    GoalCardAsked const asked = drawGoalCard(parts.context.layout, parts.session,
+                                             {.said = &parts.said,
+                                              .width = goalStripWidth(width, parts.besideCorner),
+                                              .most = goalShare * height,
+                                              .brief = panel || !parts.run.building(),
+                                              .task = parts.ofGallery,
+                                              .counts = parts.goalCounts,
+                                              .goals = parts.timeline.goals(),
+                                              .why = parts.why.canAsk(),
+                                              .storyOpen = parts.storyOpen,
+                                              .hint = panel ? nullptr : hintLabel(parts)},
+                                             &buttons);
+    if (asked.why) {
+        parts.inspector.close();
+        parts.why.askGoal(*asked.why);
+    }
+    parts.storyOpen = asked.storyOpen ? asked.storyOpen : parts.storyOpen;
+}
+
+void drawHints(PlayParts& parts) {
+    std::vector<std::string> const& all = parts.said.hints();
+    std::size_t const shown = std::min(parts.hintsShown, all.size());
+    if (shown == 0) {
+        return;
+    }
+    float const scale = parts.context.window.uiScale();
+    float const top = belowGoal(parts, true);
+    float const height = static_cast<float>(parts.context.window.size().height) / scale;
+    HintCardAsked const asked = drawHintCard(parts.context.layout, {.hints = std::span(all).first(shown),
+                                                                    .total = all.size(),
+                                                                    .at = std::min(parts.hintAt, shown - 1),
+                                                                    .top = top,
+                                                                    .most = height - top - bottomRow});
+    parts.hintAt = asked.at.value_or(parts.hintAt);
+    parts.hintsFolded = asked.fold;
+}
+
 } // namespace
 
 std::optional<std::size_t> drawPlayCards(PlayParts& parts, CommandSet const& commands) {
@@ -225,35 +304,37 @@ std::optional<std::size_t> drawPlayCards(PlayParts& parts, CommandSet const& com
     Layout& layout = context.layout;
     Session const& session = parts.session;
     CommandButtons buttons(layout, context.keys, commands);
-    // While it runs the card covers as little as possible, unless hints are being read.
-    bool const inPlay = !parts.run.building() && parts.hintsShown == 0;
+    parts.hintsFolded = parts.hintsFolded || !parts.run.building();
+    parts.goalAside = goalInTheWay(parts);
     Beside const beside = cardsBeside(parts);
     bool const choosing =
         parts.timeline.shown() && (parts.timeline.probes().choosing() || parts.whatIf->active());
-    parts.goalAside = goalInTheWay(parts);
-    if (beside.goal && !parts.goalAside && !(choosing && beside.narrow)) { // the card of plots takes its room
-        auto const asked = drawGoalCard(layout, session,
-                                        {.said = &parts.said,
-                                         .hintsShown = parts.hintsShown,
-                                         .brief = parts.components.open() || parts.modsPanel.open() || inPlay,
-                                         .task = parts.ofGallery,
-                                         .counts = parts.goalCounts,
-                                         .goals = parts.timeline.goals(),
-                                         .below = parts.timeline.shown() ? parts.timeline.height() + 6 : 0,
-                                         .why = parts.why.canAsk()},
-                                        &buttons);
-        if (asked) {
-            parts.inspector.close();
-            parts.why.askGoal(*asked);
-        }
+    bool const goal =
+        beside.goal && !parts.goalAside && !(choosing && beside.narrow); // the card of plots takes its room
+    parts.hintsHidden = parts.run.building() && parts.hintsShown > 0 && !parts.hintsFolded &&
+                        !parts.placing.carried() && !parts.group.dragging() && !(beside.hints && goal);
+    if (goal) {
+        drawGoals(parts, buttons);
+    }
+    if (beside.hints && goal) {
+        drawHints(parts);
     }
     drawCorner(buttons, !parts.run.building());
     if (beside.toolbox) {
         std::string const hint =
             words::toolboxHint(keyOf(context.keys, "turn-left"), keyOf(context.keys, "turn-right"));
-        if (auto const part = drawToolbox(buttons, session, parts.catalog(), carriedPart(parts), hint,
-                                          parts.allBack, parts.wires.laying())) {
+        if (auto const part = drawToolbox(buttons, session, parts.catalog(), parts.toolbox,
+                                          {.carried = carriedPart(parts),
+                                           .hint = hint,
+                                           .allBack = parts.allBack,
+                                           .laying = parts.wires.laying(),
+                                           .escape = context.input.keyPressed(SDLK_ESCAPE)})) {
             takeFromToolbox(parts, *part);
+        }
+        if (parts.toolbox.takeWanted()) {
+            if (auto const found = parts.toolbox.firstShown(session.toolbox(), parts.catalog())) {
+                parts.takeByKey(*found);
+            }
         }
     }
     Speed const& speed = parts.run.speed();
@@ -267,20 +348,21 @@ std::optional<std::size_t> drawPlayCards(PlayParts& parts, CommandSet const& com
         drawOverlayLegend(layout, parts.shown, bottom - bottomRow);
     }
     if (beside.success || !parts.celebration.showing()) {
-        drawSuccess(buttons, session, parts.celebration, successLook(parts, beside.narrowSuccess));
+        drawSuccess(buttons, session, parts.celebration, successLook(parts));
     }
     float const screen = static_cast<float>(context.window.size().height) / context.window.uiScale();
-    if (!(beside.success && beside.narrow)) {
-        float const height = screen - cornerRow - bottom - 8;
+    if (!beside.success) { // which lies there
+        float const top = beside.toolbox ? belowGoal(parts, goal) : cornerRow;
+        SidePlace const place{.right = beside.right, .top = top, .height = screen - top - bottom - 8};
         if (parts.inspector.open()) {
             parts.why.close(); // the player has chosen an object since
         }
-        if (auto const wanted = parts.why.draw(layout, cornerRow, height)) {
+        if (auto const wanted = parts.why.draw(layout, place)) {
             parts.lookAt(*wanted);
         }
         bool const mayAsk = !parts.run.building() && parts.why.canAsk();
         std::string const whyTip = withKey(words::whyObjectTip, "why", context.keys);
-        if (parts.inspector.draw(layout, session, cornerRow, height,
+        if (parts.inspector.draw(layout, session, place,
                                  parts.timeline.looksBack() ? &parts.shownWorld() : nullptr,
                                  mayAsk ? whyTip.c_str() : nullptr)) {
             parts.why.askObject(parts.inspector.name(), parts.timeline.frame());

@@ -30,7 +30,7 @@ void drawHandle(PlayParts& parts) {
     Point const centre = toPoint(placement.at);
     double const arm = length(handle->at - placement.at);
     Colour const colour = palette::accent;
-    double const angle = placement.angle + pi / 2;
+    double const angle = handle->angle;
     canvas.arc(centre, arm, angle - 0.5, 0.36, {.colour = colour, .pixels = 2, .alpha = 0.55F});
     canvas.arc(centre, arm, angle + 0.14, 0.36, {.colour = colour, .pixels = 2, .alpha = 0.55F});
     Pointer const& pointer = parts.pointer;
@@ -161,6 +161,8 @@ void drawWords(PlayParts const& parts, bool bare) {
             chip(parts.pointer.world, translated(parts.wires.why()), palette::warning, 28);
         } else if (parts.wires.from().valid() && !parts.wires.to().valid()) {
             chip(parts.pointer.world, words::wireFromHere, palette::accent, 28);
+        } else if (!parts.wires.from().valid() && !parts.picking.hovered().valid()) {
+            chip(parts.pointer.world, words::wireBegins, palette::accent, 28);
         }
     }
     if (auto const& wire = parts.wires.wireUnderBlades(); parts.wires.cutting() && wire.a.valid()) {
@@ -227,8 +229,9 @@ SceneOptions sceneOptions(PlayParts& parts, double time) {
     if (bare) {
         return options;
     }
-    if (parts.session.level().placing && carried && !carried->turning) {
+    if (parts.session.level().placing && parts.run.building()) {
         options.placing = *parts.session.level().placing;
+        options.faintPlacing = !(carried && !carried->turning) && !parts.group.dragging();
     }
     if (parts.inspector.open() && !(parts.placing.selected() && !carried)) {
         options.selected = parts.inspector.object(parts.session);

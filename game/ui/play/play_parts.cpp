@@ -7,8 +7,8 @@
 #include "game/ui/shared/words.hpp"
 #include "physics/dynamics/properties/crowd.hpp"
 #include "puzzle/campaign/as_played.hpp"
+#include "puzzle/checks/checked_level.hpp"
 #include "render/scene/areas.hpp"
-#include "runtime/level/read/read_level.hpp"
 
 #include <algorithm>
 #include <system_error>
@@ -35,7 +35,9 @@ PlayParts::PlayParts(UiContext& uiContext, std::filesystem::path levelFile,
       modParts(data ? std::optional<PartCatalog>(std::in_place, data->parts, context.canvas) : std::nullopt),
       session(data ? data->registry : context.registry, data ? data->parts : context.parts,
               stated != nullptr ? *stated
-                                : asPlayed(loadLevel(data ? data->registry : context.registry, file), ""),
+                                : asPlayed(loadPlayable(data ? data->registry : context.registry,
+                                                        data ? data->parts : context.parts, file),
+                                           ""),
               options),
       placing(session, context.toasts), group(session, placing, context.toasts),
       wires(session, context.toasts), hand(session, context.toasts), secondHand(session, context.toasts, 1),
@@ -48,7 +50,7 @@ PlayParts::PlayParts(UiContext& uiContext, std::filesystem::path levelFile,
       audio(context.loudspeaker), touches(context.loudspeaker),
       run(session, placing, hand, budget, audio, view, runEvents()),
       lesson(session, !context.profile.solved(id)), keeper(context.builds, id),
-      film(context.recorder, context.toasts),
+      film(context.recorder, context.toasts, context.pending),
       loadableSolutions(context.solutions, id, data ? data->registry : context.registry, session,
                         context.profile.progress(), [this](Solution const& solution) { load(solution); }),
       picking(session, inspector), mouse(session, placing, group, wires, hand, secondHand, view, picking),
@@ -60,6 +62,7 @@ PlayParts::PlayParts(UiContext& uiContext, std::filesystem::path levelFile,
     }
     newWorld();
     view.setSubject(subject());
+    view.setLimits(subject());
     tellOfCrowd();
 }
 
@@ -129,6 +132,8 @@ void PlayParts::stepped() {
     if (!celebration.noteStep(session)) {
         return;
     }
+    inspector.close(); // the card of success comes in their place
+    why.close();
     if (CatalogEntry const* const entry = context.levels.find(file)) {
         solvedLevel(entry->id);
     }
@@ -202,10 +207,18 @@ void PlayParts::continueHere() {
 }
 
 void PlayParts::keepBuild(double seconds) {
-    if (!keeper.pass(session, seconds)) {
-        context.toasts.add(textWith("builds.not_kept", translated(keeper.why())), render::ToastKind::Trouble,
-                           8);
-    }
+    keeper.pass(session, seconds);
+}
+
+void PlayParts::takeByKey(std::string const& part) {
+    placing.cancel();
+    group.reset();
+    wires.reset();
+    keyPointer.show(pointer, camera());
+    Pointer at = pointer;
+    at.world = keyPointer.at();
+    placing.take(part, at);
+    placing.keepInHand();
 }
 
 void PlayParts::passMods(double seconds) {
@@ -257,10 +270,30 @@ void PlayParts::restart() {
     inspector.close();
     why.close();
     session.putAllBack();
-    hintsShown = 0;
+    hintsShown = hintAt = 0;
+    hintsFolded = false;
     lesson.restart();
     newWorld();
-    view.fit();
+}
+
+void PlayParts::showHint() {
+    std::size_t const total = said.hints().size();
+    if (hintsHidden) { // what hides it has been read
+        inspector.close();
+        why.close();
+        if (components.open()) {
+            components.toggle();
+        }
+        modsPanel.setOpen(false);
+        return;
+    }
+    if (hintsShown > 0 && hintsFolded) {
+        hintsFolded = false;
+        return;
+    }
+    hintsFolded = hintsShown > 0 && hintsShown >= total;
+    hintsShown = std::min(hintsShown + 1, total);
+    hintAt = hintsShown > 0 && !hintsFolded ? hintsShown - 1 : hintAt;
 }
 
 render::Extent PlayParts::subject() const {
@@ -290,7 +323,9 @@ void PlayParts::showCut() {
 }
 
 std::optional<TurnHandle> PlayParts::handle() {
-    return turnHandle(session, placing, catalog(), pointer.pixel);
+    return turnHandle(session, placing, catalog(), pointer.pixel, [this](Vec2 at) {
+        return !context.layout.cardAt(camera().toScreen({at.x, at.y})).empty();
+    });
 }
 
 } // namespace trembler::ui

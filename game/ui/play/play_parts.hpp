@@ -4,6 +4,7 @@
 #include "game/budget/budget_mode.hpp"
 #include "game/ui/cards/celebration.hpp"
 #include "game/ui/cards/level_text.hpp"
+#include "game/ui/cards/toolbox_view.hpp"
 #include "game/ui/panels/components_panel.hpp"
 #include "game/ui/panels/inspector.hpp"
 #include "game/ui/panels/mods_panel.hpp"
@@ -65,6 +66,7 @@ struct PlayParts {
     PlacingTool placing;
     GroupTool group;
     WireTool wires;
+    ToolboxView toolbox;
     HandTool hand;
     HandTool secondHand;
     budget::BudgetMode budget;
@@ -102,8 +104,14 @@ struct PlayParts {
     bool movesView = false; ///< arrow keys and the directional pad move the view
     AskedTwice allBack;     ///< whether all parts are to be put back
     Shown shown;
-    std::size_t hintsShown = 0;
-    Pointer pointer;                      ///< of this picture
+    std::size_t hintsShown = 0;    ///< for which the player has asked
+    std::size_t hintAt = 0;        ///< the one that is shown, from 0
+    bool hintsFolded = false;      ///< none is shown at present
+    bool hintsHidden = false;      ///< other cards have left no room for the one that would be shown
+    std::optional<bool> storyOpen; ///< the player's choice, see GoalCardLook
+    bool fitWanted = false;        ///< the view is to show everything beside all cards, see FittedView
+    float besideCorner = 0; ///< width of what else stands beside the buttons in the corner, at UI scale 1
+    Pointer pointer;        ///< of this picture
     std::optional<ScreenRequest> request; ///< the request of this picture to the program
 
     [[nodiscard]] render::Camera const& camera() const { return view.camera(); }
@@ -113,6 +121,12 @@ struct PlayParts {
     /// Writes the placed parts, if that is due; reports to the player if it cannot be written.
     void keepBuild(double seconds);
     [[nodiscard]] PartCatalog& catalog() { return modParts ? *modParts : context.catalog; }
+    /// The parts of the toolbox that are shown, in order.
+    [[nodiscard]] std::vector<ToolboxSlot> shownTools() {
+        return toolbox.shown(session.toolbox(), catalog());
+    }
+    /// Takes a part out of the toolbox by a key: it follows the pointer until the next press.
+    void takeByKey(std::string const& part);
     /// Reports messages of scripts and saved script files to the player; `seconds` have passed. Between
     /// frames.
     void passMods(double seconds);
@@ -139,6 +153,8 @@ struct PlayParts {
     void showCut();
     /// The handle that turns the selected part, if there is one at present.
     [[nodiscard]] std::optional<TurnHandle> handle();
+    /// Shows the next hint, or, if hints are folded, the one that was shown; after the last one folds them.
+    void showHint();
 
 private:
     [[nodiscard]] RunEvents runEvents();

@@ -64,8 +64,9 @@ std::optional<ScreenRequest> PlayScreen::update(double seconds) {
     bool const cardKeys = parts_.whatIfTool->cardHasKeys();
     passKeysToCard(cardKeys);
     holdDirection(cardKeys ? Vec2{} : padDirection(context), seconds, mouse);
-    parts_.pointer = parts_.keyPointer.instead(mouse, parts_.camera(),
-                                               !cardKeys && isHeld(context.input, context.keys, "act"));
+    parts_.pointer =
+        parts_.keyPointer.instead(mouse, parts_.camera(), isHeld(context.input, context.keys, "act"),
+                                  !cardKeys && !context.gui.wantsKeyboard());
     parts_.allBack.pass(seconds);
     parts_.why.pass();
     if (!parts_.run.building()) {
@@ -187,6 +188,12 @@ void PlayScreen::tellOfRefused(std::optional<std::size_t> command) {
     if (!first && !command) {
         return;
     }
+    if (char const* const why = command ? commands_.whyNot(*command) : nullptr) {
+        if (context.toasts.newest() != why) { // as long as it is read it need not be said again
+            context.toasts.add(why, render::ToastKind::News, 2.5);
+        }
+        return;
+    }
     CommandGroup const group = command ? commands_.info(*command).group : CommandGroup::running;
     if (building && group == CommandGroup::running) {
         context.toasts.add(text("keys.only_in_run"), render::ToastKind::News, 2);
@@ -238,9 +245,13 @@ void PlayScreen::pictureComplete() {
     parts_.film.take([this] { return parts_.context.window.readPixels(); }, parts_.run.stepped());
 }
 
+void PlayScreen::keep() {
+    parts_.keepBuild(BuildKeeper::delay);
+}
+
 void PlayScreen::leave() {
     passKeysToCard(false);
-    parts_.keepBuild(BuildKeeper::delay);
+    keep();
     parts_.audio.leave();
     parts_.film.end();
 }

@@ -29,6 +29,7 @@ public:
     void draw() override;
     /// Adds the picture to the film, or keeps it by itself, if the player has asked for that.
     void pictureComplete() override;
+    void keep() override;
     void leave() override;
     [[nodiscard]] CommandSet& commands() override { return commands_; }
     [[nodiscard]] std::span<Gesture const> gestures() const override;
@@ -36,6 +37,13 @@ public:
 
     [[nodiscard]] Session const& session() const { return parts_.session; }
     [[nodiscard]] Session& session() { return parts_.session; }
+    /// Keeps room for another card at the left of the buttons in the corner, of this width and the gap beside
+    /// it, pixels at UI scale 1.
+    void keepBesideCorner(float width) { parts_.besideCorner = width; }
+    /// The part of the window that the cards around the level leave to the scene, see FittedView.
+    [[nodiscard]] Rect const& stage() const { return fittedView_.stage(); }
+    /// Whether the view is about to be fitted, as the level was opened or the window has another size.
+    [[nodiscard]] bool settles() const { return fittedView_.settles(); }
     /// To be called after other code has given the session another world.
     void worldChanged() { parts_.newWorld(); }
     [[nodiscard]] std::filesystem::path const& file() const { return parts_.file; }
@@ -43,6 +51,8 @@ public:
     [[nodiscard]] std::size_t hintsShown() const { return parts_.hintsShown; }
     [[nodiscard]] PlacingTool const& placing() const { return parts_.placing; }
     [[nodiscard]] WireTool const& wires() const { return parts_.wires; }
+    /// The parts of the toolbox that are shown, in order.
+    [[nodiscard]] std::vector<ToolboxSlot> tools() { return parts_.shownTools(); }
     [[nodiscard]] GroupTool const& group() const { return parts_.group; }
     [[nodiscard]] Speed const& speed() const { return parts_.run.speed(); }
     [[nodiscard]] RunControl& run() { return parts_.run; }

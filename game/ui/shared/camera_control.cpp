@@ -18,16 +18,20 @@ void CameraControl::setView(render::Size viewport, Margins const& margins) {
     double const before = camera_.viewport.width;
     camera_.viewport = viewport;
     margins_ = margins;
-    if (!moved_) {
+    held_ = held_ && same;
+    if (!moved_ && !held_) {
         fit();
     } else if (!same && before > 0) {
         camera_.pixelsPerMetre *= viewport.width / before; // a larger window shows the same part of the world
+        if (!limits_.empty()) {
+            keepInLimits(limits_.centre());
+        }
     }
 }
 
 void CameraControl::setPreferred(std::optional<render::Camera> const& preferred) {
     preferred_ = preferred;
-    if (!moved_) {
+    if (!moved_ && !held_) {
         fit();
     }
 }
@@ -63,13 +67,29 @@ void CameraControl::fit() {
 void CameraControl::zoom(render::Point at, double notches) {
     double const all = subject_.empty() ? camera_.pixelsPerMetre : fittingScale();
     double const wanted = camera_.pixelsPerMetre * std::pow(zoomPerNotch, notches);
+    render::Point const before = looksAt();
     camera_.zoomAt(at, std::clamp(wanted, all * farthest, all * nearest) / camera_.pixelsPerMetre);
+    keepInLimits(before);
     moved_ = true;
 }
 
 void CameraControl::look(render::Point shares) {
+    render::Point const before = looksAt();
     camera_.pan({-shares.x * camera_.viewport.width, shares.y * camera_.viewport.height});
+    keepInLimits(before);
     moved_ = true;
+}
+
+void CameraControl::keepInLimits(render::Point before) {
+    if (limits_.empty()) {
+        return;
+    }
+    render::Extent within = limits_;
+    within.add(before); // a view that is out of them already may stay there, and come back
+    render::Point const now = looksAt();
+    render::Point const kept{std::clamp(now.x, within.lower.x, within.upper.x),
+                             std::clamp(now.y, within.lower.y, within.upper.y)};
+    camera_.centre = camera_.centre + (kept - now);
 }
 
 render::Point CameraControl::middle() const {
@@ -79,7 +99,9 @@ render::Point CameraControl::middle() const {
 
 void CameraControl::drag(render::Point pixels) {
     if (panning_ && (pixels.x != 0 || pixels.y != 0)) {
+        render::Point const before = looksAt();
         camera_.pan(pixels);
+        keepInLimits(before);
         moved_ = true;
     }
 }

@@ -22,7 +22,11 @@ class CameraControl {
 public:
     /// The area that is shown by fit().
     void setSubject(render::Extent const& subject) { subject_ = subject; }
-    /// Follows the window's size; until the player moves the view it keeps showing everything.
+    /// Where panning and zooming end: the middle of the view between the margins stays in this area. Empty:
+    /// nowhere.
+    void setLimits(render::Extent const& limits) { limits_ = limits; }
+    /// Follows the window's size; until the player moves the view, or hold() is called, it keeps showing
+    /// everything.
     void setView(render::Size viewport, Margins const& margins);
     /// A view that shows the whole subject larger than the margins allow; nothing: there is none. It counts
     /// as long as the window has its size.
@@ -33,6 +37,10 @@ public:
     void fit();
     /// Keeps the view when the window or the subject changes, as if the player had moved the view.
     void stay() { moved_ = true; }
+    /// Keeps the view as it is until the window has another size, whatever else changes.
+    void hold() { held_ = true; }
+    /// Follows margins and subject again.
+    void release() { held_ = false; }
     void zoom(render::Point at, double notches);
     /// Moves the view by shares of the window: {0.1, 0} looks a tenth of its width further to the right, y is
     /// up.
@@ -48,13 +56,18 @@ public:
 
 private:
     [[nodiscard]] double fittingScale() const;
+    [[nodiscard]] render::Point looksAt() const { return camera_.toWorld(middle()); }
+    /// Moves the view back if it looks at `before`, or at a place in the limits, no longer.
+    void keepInLimits(render::Point before);
 
     render::Camera camera_;
     render::Extent subject_;
+    render::Extent limits_;
     Margins margins_;
     std::optional<render::Camera> preferred_;
     bool panning_ = false;
     bool moved_ = false;
+    bool held_ = false;
 };
 
 } // namespace trembler::ui

@@ -74,6 +74,8 @@ public:
     /// Whether the next picture would be the same as long as the player does nothing: then it need not be
     /// drawn.
     [[nodiscard]] virtual bool still() const { return false; }
+    /// Hands on everything that the player has made since it last did.
+    virtual void keep() {}
     /// The solutions of its level; nullptr if it shows none.
     [[nodiscard]] virtual LoadableSolutions* loadableSolutions() { return nullptr; }
     /// Whether a second player can do something here, with a gamepad of their own.

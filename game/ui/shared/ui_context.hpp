@@ -9,6 +9,7 @@
 #include "game/ui/shared/commands/key_bindings.hpp"
 #include "game/ui/shared/commands/menu_keys.hpp"
 #include "game/ui/shared/focus.hpp"
+#include "game/ui/shared/kept/pending_writes.hpp"
 #include "game/ui/shared/kept/profile.hpp"
 #include "game/ui/shared/kept/recorder.hpp"
 #include "game/ui/shared/kept/saved_solutions.hpp"
@@ -48,6 +49,7 @@ struct UiContext {
     KeyBindings keys;
     MenuKeys menuKeys{}; ///< of this picture, for pages, lists and dialogs
     WidgetKeys widgetKeys{};
+    PendingWrites pending;
     Recorder recorder;
     SavedSolutions solutions;
     ScreenKeyboard letters{};

@@ -1,6 +1,7 @@
 #include "game/ui/shared/words.hpp"
 
 #include "runtime/file/visible_text.hpp"
+#include "runtime/level/model/tool_count.hpp"
 #include "runtime/math/vec2.hpp"
 
 #include <fmt/format.h>
@@ -24,8 +25,11 @@ std::string toolboxHint(std::string const& turnLeft, std::string const& turnRigh
 std::string connectedBy(std::string const& callers, std::string const& objects) {
     return textWith("by {}: {}", callers, objects);
 }
+std::string seekPart(std::string const& key) {
+    return key.empty() ? std::string(text("Search")) : textWith("Search ({})", key);
+}
 std::string wiresLeft(int count) {
-    return textWith("Wire ({} left)", count);
+    return count == unlimitedCount ? std::string(text("Wire")) : textWith("Wire ({} left)", count);
 }
 std::string conductsNot(std::string const& object) {
     return textWith("No current flows through {}", theObject(object).words);
@@ -71,14 +75,8 @@ std::string keysNotRead(std::string const& what) {
     return textWith("Keys in your profile: expected {}.", visible(what));
 }
 
-std::string cannotWrite(std::string const& path, std::string const& why) {
-    return textWith("Nothing can be written to {}: {}.", path, why);
-}
 std::string pictureTaken(std::string const& path) {
     return textWith("Picture written to {}", path);
-}
-std::string solutionSaved(std::string const& path) {
-    return textWith("Saved as {}. \"trembler run\" plays it with --solution.", path);
 }
 
 std::string modLine(std::string const& name, std::string const& version, std::string const& author,

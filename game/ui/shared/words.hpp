@@ -39,8 +39,22 @@ inline char const* const& closeTip = said("Close");
 inline char const* const& toolbox = said("Toolbox");
 inline char const* const& dropHere = said("Let go here to put it back");
 
+inline char const* const& noSuchPart = said("No part is called that.");
+inline char const* const& allParts = said("All parts");
+/// Of the field in which a part is sought; the key may be empty.
+[[nodiscard]] std::string seekPart(std::string const& key);
+/// Of a button; `count` may be unlimitedCount.
 [[nodiscard]] std::string wiresLeft(int count);
+inline char const* const& noWires = said("There are no wires to lay in this level.");
+inline char const* const& noWireLeft = said("There is no wire left in the toolbox.");
+inline char const* const& nothingInHand = said("Take a part first, or select one.");
+inline char const* const& selectFirst = said("Select a part first.");
+inline char const* const& nothingToUndo = said("There is nothing to undo.");
+inline char const* const& nothingToRedo = said("There is nothing to redo.");
+inline char const* const& allThere = said("No part is placed.");
+inline char const* const& allInSight = said("This toolbox has few parts, and all of them are in sight.");
 inline char const* const& wireOfLevel = said("This wire belongs to the level.");
+inline char const* const& wireBegins = said("Click a pole or another conductor: the wire begins there");
 inline char const* const& wireFromHere = said("Drag the wire to another conductor, or click it");
 [[nodiscard]] std::string conductsNot(std::string const& object);
 [[nodiscard]] std::string putThisBack(std::string const& a, std::string const& b);
@@ -51,6 +65,11 @@ inline char const* const& goals = said("Goals"); ///< several
 inline char const* const& noGoal = said("There is nothing to reach here. Try things out.");
 inline constexpr Phrase hint = "Hint";
 inline char const* const& nextHint = said("Another hint");
+inline char const* const& foldHints = said("Fold the hints");
+inline char const* const& hintBefore = said("The hint before");
+inline char const* const& hintAfter = said("The next hint");
+inline char const* const& moreStory = said("More"); ///< the story of the level is shown, where room is scarce
+inline char const* const& lessStory = said("Less");
 inline char const* const& noHints = said("There is no hint for this level.");
 inline char const* const& solved = said("It works!");
 inline constexpr Phrase nextLevel = "Next level";
@@ -190,9 +209,7 @@ inline char const* const& budgetMeasuring = said("Measuring, for a second …");
 [[nodiscard]] std::string keysNotTaken(std::string const& id, std::string const& why);
 [[nodiscard]] std::string keysNotRead(std::string const& what);
 
-[[nodiscard]] std::string cannotWrite(std::string const& path, std::string const& why);
 [[nodiscard]] std::string pictureTaken(std::string const& path);
-[[nodiscard]] std::string solutionSaved(std::string const& path);
 [[nodiscard]] std::string andMore(std::size_t count);
 /// Of a mod: "wind 1.0, by the Trembler project, MIT"
 [[nodiscard]] std::string modLine(std::string const& name, std::string const& version,

@@ -145,22 +145,34 @@ void GroupTool::follow(Pointer const& pointer) {
 
 void GroupTool::drop(Pointer const& pointer) {
     press_.reset();
-    std::vector<PlacedPart> const landed = std::move(landings_);
-    landings_.clear();
     if (pointer.overToolbox) {
         putBack();
-    } else if (!pointer.overCard) {
-        place(landed);
-    }
+    } else if (!pointer.overCard && place(landings_)) {
+        landings_.clear();
+    } // else they stay in the hand, and follow the mouse until the next click
 }
 
-void GroupTool::place(std::vector<PlacedPart> const& wanted) {
+bool GroupTool::place(std::vector<PlacedPart> const& wanted) {
     Verdict const verdict = session_.checkAll(wanted);
     if (!verdict.ok) {
         toasts_.add(words::capital(translated(verdict.why)), render::ToastKind::Trouble, groupReasonTime);
     } else {
         session_.moveAll(wanted);
     }
+    return verdict.ok;
+}
+
+/// The parts are in the hand without a button held, as they could not be left where it was released.
+bool GroupTool::updateDragged(Pointer const& pointer) {
+    if (pointer.rightClicked) {
+        landings_.clear();
+        return true;
+    }
+    follow(pointer);
+    if (pointer.pressed) {
+        drop(pointer);
+    }
+    return true;
 }
 
 bool GroupTool::updatePress(Pointer const& pointer) {
@@ -199,6 +211,9 @@ bool GroupTool::update(Pointer const& pointer, std::optional<int> hovered) {
     }
     if (press_) {
         return updatePress(pointer);
+    }
+    if (dragging()) {
+        return updateDragged(pointer);
     }
     if (placing_.carried() || pointer.overCard) {
         return false;

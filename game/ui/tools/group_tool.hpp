@@ -67,7 +67,9 @@ private:
     bool updateBox(Pointer const& pointer);
     bool updatePress(Pointer const& pointer);
     void settle(std::vector<PlacedPart> wanted);
-    void place(std::vector<PlacedPart> const& wanted);
+    /// False, and a message with the reason, if they may not go there.
+    bool place(std::vector<PlacedPart> const& wanted);
+    bool updateDragged(Pointer const& pointer);
     [[nodiscard]] std::vector<PlacedPart> parts() const;
     [[nodiscard]] std::vector<PlacedPart> turned(std::vector<PlacedPart> parts, double by) const;
     [[nodiscard]] bool isChosen(int number) const;

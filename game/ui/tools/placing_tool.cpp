@@ -104,7 +104,8 @@ void PlacingTool::follow(Pointer const& pointer) {
         Vec2 const arm = pointer.world - wanted.at;
         if (lengthSquared(arm) > 0) {
             double const step = pointer.free || pointer.fine ? fineTurnStep : turnStep;
-            wanted.angle = tidyAngle(std::round((std::atan2(arm.y, arm.x) - pi / 2) / step) * step);
+            double const side = carried_->handleBelow ? -pi / 2 : pi / 2;
+            wanted.angle = tidyAngle(std::round((std::atan2(arm.y, arm.x) - side) / step) * step);
         }
         settle(wanted, 0);
         return;
@@ -116,10 +117,12 @@ void PlacingTool::follow(Pointer const& pointer) {
 
 void PlacingTool::drop(bool dragged) {
     if (!carried_->verdict.ok) {
-        // A dragged part returns to its former place. One that follows the mouse without a button stays in
-        // the hand, which shows the reason.
+        // The part stays in the hand, which shows the reason, and follows the mouse until the next click.
+        // Only one that was turned by its handle turns back.
         if (dragged) {
             toasts_.add(words::capital(translated(carried_->verdict.why)), render::ToastKind::Trouble, 2.5);
+        }
+        if (carried_->turning) {
             carried_.reset();
         }
         return;
@@ -186,6 +189,8 @@ void PlacingTool::updateFree(Pointer const& pointer, std::optional<int> hovered,
             pickUp(*selected_, {}, pointer);
             if (carried_) {
                 carried_->turning = true;
+                Vec2 const arm = rotated(pointer.world - carried_->landing.at, -carried_->landing.angle);
+                carried_->handleBelow = arm.y < 0;
             }
             return;
         }

@@ -24,6 +24,7 @@ struct Carried {
     render::Point takenAt;     ///< pixels
     bool dragging = false;     ///< the button has been held since the part was taken
     bool turning = false;      ///< held by its handle: it rotates in place
+    bool handleBelow = false;  ///< and that is the one on the part's lower side
 };
 
 /// Acts on a session in its building phase. Window thread only.

@@ -9,10 +9,15 @@ std::string_view errorsPart() {
 
 local depth, made = 0, 0
 local function enter()
-  if depth >= 40 then error("pcall, xpcall and coroutines are nested more than 40 deep", 3) end
+  if depth >= 40 then fail("pcall, xpcall and coroutines are nested more than 40 deep") end
   local saved = depth
   depth = saved + 1
   return saved
+end
+-- An error object that is a text comes from Lua itself, which bounds it by nothing.
+local function caught(e, ...)
+  if type(e) == "string" then return host.caught(e), ... end
+  return e, ...
 end
 -- A limit ends the turn: whoever catches it gets it thrown again.
 local function leave(saved, ok, ...)
@@ -20,6 +25,7 @@ local function leave(saved, ok, ...)
   if not ok then
     if host.limited() then error(host.limitText(), 0) end
     charge(400) -- finding who catches an error takes as long
+    return ok, caught(...)
   end
   return ok, ...
 end
@@ -28,12 +34,11 @@ function env.pcall(f, ...)
   return leave(saved, rawpcall(f, ...))
 end
 function env.xpcall(f, handler, ...)
-  check("function", handler, 2, "xpcall")
   local saved = enter()
   -- Instructions are not counted while the error of the counter itself is handled.
   return leave(saved, rawxpcall(f, function(e)
     if host.limited() then return e end
-    return handler(e)
+    return handler((caught(e)))
   end, ...))
 end
 env.error = error
@@ -46,7 +51,11 @@ function env.tonumber(v, base)
   return raw.tonumber(v)
 end
 env.ipairs = raw.ipairs
-env.getmetatable = rawgetmetatable
+function env.getmetatable(v)
+  local meta = rawgetmetatable(v)
+  if meta == vectors or meta == hosts then return false end
+  return meta
+end
 
 local function unwrap(ok, ...)
   if not ok then error((...), 0) end
@@ -54,8 +63,7 @@ local function unwrap(ok, ...)
 end
 local coroutine = { yield = co.yield, status = co.status }
 function coroutine.create(f)
-  check("function", f, 1, "coroutine.create")
-  if made >= 50 then error("more than 50 coroutines in one turn", 2) end
+  if made >= 50 then fail("more than 50 coroutines in one turn") end
   made = made + 1
   return co.create(f)
 end
@@ -63,19 +71,20 @@ function coroutine.resume(thread, ...)
   local saved = enter()
   return leave(saved, co.resume(thread, ...))
 end
-function coroutine.wrap(f)
-  local thread = coroutine.create(f)
-  return function(...) return unwrap(coroutine.resume(thread, ...)) end
+do
+  local create, resume = coroutine.create, coroutine.resume
+  function coroutine.wrap(f)
+    local thread = create(f)
+    return function(...) return unwrap(resume(thread, ...)) end
+  end
 end
 
 function env.setmetatable(t, meta)
-  check("table", t, 1, "setmetatable")
   if meta ~= nil then
-    check("table", meta, 2, "setmetatable")
     if rawget(meta, "__gc") ~= nil or rawget(meta, "__mode") ~= nil then
-      error("there is no __gc and no __mode, as they depend on when memory is collected", 2)
+      fail("there is no __gc and no __mode, as they depend on when memory is collected")
     end
-    if rawget(meta, "__concat") ~= nil then error("there is no __concat; write a function", 2) end
+    if rawget(meta, "__concat") ~= nil then fail("there is no __concat; write a function") end
     host.keepGarbage() -- __mode can be set later, so nothing is collected in the rest of the turn
   end
   return rawsetmetatable(t, meta)

@@ -7,36 +7,40 @@ namespace trembler::lua {
 std::string_view foundationsPart() {
     static constexpr std::string_view text = R"lua(
 local raw, host = ...
-local type, error, select, next, rawtostring = raw.type, raw.error, raw.select, raw.next, raw.tostring
+local type, error, select, next = raw.type, raw.error, raw.select, raw.next
 local rawset, rawget = raw.rawset, raw.rawget
 local rawsetmetatable, rawgetmetatable = raw.setmetatable, raw.getmetatable
 local rawpcall, rawxpcall, rawunpack = raw.pcall, raw.xpcall, raw.unpack
 local floor, sqrt = raw.math.floor, raw.math.sqrt
 local charge, show, plain = host.charge, host.show, host.plain
+local fail, refuse = host.fail, host.refuse -- errors with the place in the script, whoever has called
 local str, tab, co = raw.string, raw.table, raw.coroutine
 local env = {}
 
+-- What raw.getmetatable() gives for a vector, and for every other table of the host. No script gets them, so none
+-- can make a table that is taken for one of these.
+local vectors, hosts = {}, {}
+
 local contents = {} -- of a read-only table, by that table
 local function readOnly(name, content, why)
-  local function refuse(_, key) error(name .. show(key) .. " cannot be changed", 2) end
+  local function keep(_, key) fail(name .. show(key) .. " cannot be changed") end
   rawsetmetatable(content, {
     __index = function(_, key)
-      error(why and why[key] or "there is no " .. name .. show(key) .. host.suggest(key, content), 2)
+      fail(why and why[key] or "there is no " .. name .. show(key) .. host.suggest(key, content))
     end,
-    __newindex = refuse,
-    __metatable = false })
-  local shown = rawsetmetatable({}, { __index = content, __newindex = refuse, __metatable = false })
+    __newindex = keep,
+    __metatable = hosts,
+    __name = "library" })
+  local shown = rawsetmetatable({}, { __index = content, __newindex = keep, __metatable = hosts, __name = "library" })
   contents[shown] = content
   return shown
 end
 
-local function check(wanted, value, position, what)
-  local kind = type(value)
-  if kind ~= wanted then
-    error("argument " .. position .. " of " .. what .. " is a " .. kind .. "; expected a " .. wanted, 3)
-  end
-  return value
-end
+-- Kinds of arguments: see signatures.hpp. A table of the host is none that a script may look through or change.
+local function isVec(v) return type(v) == "table" and rawgetmetatable(v) == vectors end
+local function isOwn(v) return type(v) == "table" and rawgetmetatable(v) ~= hosts and rawgetmetatable(v) ~= vectors end
+local function isLooked(v) return type(v) == "table" and rawgetmetatable(v) ~= hosts end
+local function isCallable(v) return type(v) == "function" or type(v) == "table" end
 )lua";
     return text;
 }

@@ -14,15 +14,15 @@ for _, name in raw.ipairs({ "io", "os", "require", "module", "package", "dofile"
   absent[name] = "there is no '" .. name .. "': a script reads what it declares and calls functions of its resolver"
 end
 rawsetmetatable(env, { __index = function(_, key)
-  error(absent[key] or "there is no '" .. show(key) .. "'" .. host.suggest(key, env), 2)
+  fail(absent[key] or "there is no '" .. show(key) .. "'" .. host.suggest(key, env))
 end })
 local globalMeta = {
   __index = env,
   __newindex = function(_, key)
-    error("'" .. show(key) .. "' is not declared: write 'local " .. show(key)
-      .. "', or, for what is to last, declare it in store", 2)
+    fail("'" .. show(key) .. "' is not declared: write 'local " .. show(key)
+      .. "', or, for what is to last, declare it in store")
   end,
-  __metatable = false }
+  __metatable = hosts }
 local globals = rawsetmetatable({}, globalMeta)
 -- Globals of a script that assigns to none of them have what env has, so reading one takes one look. With the
 -- libraries themselves, if the script assigns to no field of a table.
@@ -31,7 +31,8 @@ local function fill(plain)
     rawset(globals, key, plain and contents[value] or value)
   end
 end
-return globals, env, function() depth, made = 0, 0 end, Vec2, fill
+local function hide() hidden = true end
+return globals, env, function() depth, made = 0, 0 end, Vec2, fill, hosts, vectors, hide, hiddenX, hiddenY
 )lua";
     return text;
 }

@@ -3,6 +3,8 @@
 #include "lua/sandbox/prelude/host_functions.hpp"
 
 #include "lua/sandbox/exact_math.hpp"
+#include "lua/sandbox/number_text.hpp"
+#include "lua/sandbox/prelude/signatures.hpp"
 #include "lua/sandbox/stack_values.hpp"
 #include "runtime/level/json/suggestion.hpp"
 
@@ -10,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace trembler::lua {
@@ -18,18 +21,42 @@ namespace {
 // Comparing a word with all known ones takes as long as this many instructions.
 constexpr double chargePerSuggestion = 3000;
 
+constexpr double chargePerVectorText = 20;
+
 double angleAt(lua_State* L) {
-    double const angle = luaL_checknumber(L, 1);
+    double const angle = lua_tonumber(L, 1); // the prelude has checked it, as in all functions below
     if (!(std::abs(angle) <= largestAngle)) {
         Sandbox::of(L).raise(L, fmt::format("an angle of {} rad; expected at most {}", angle, largestAngle));
     }
     return angle;
 }
 
+/// A message without the place in the host's own Lua that LuaJIT has put before it.
+std::string withoutOwnPlace(std::string text) {
+    if (text.starts_with('(')) {
+        for (std::string_view const chunk : {"(prelude):", "(driver):"}) {
+            std::size_t const end = text.starts_with(chunk) ? text.find(": ") : std::string::npos;
+            text.erase(0, end == std::string::npos ? 0 : end + 2);
+        }
+    }
+    return text;
+}
+
+/// LuaJIT's message that the stack can grow no more, as the message of the limit that it is; nothing for
+/// other texts. An untrusted script has no memory for such a stack, so a trusted one may not go on after it
+/// either.
+std::optional<std::string> tooDeepIn(std::string_view text) {
+    std::size_t const at = text.find("stack overflow");
+    if (at == std::string_view::npos) {
+        return std::nullopt;
+    }
+    return fmt::format("{}{}", text.substr(0, at), Sandbox::tooDeep);
+}
+
 } // namespace
 
 int Sandbox::Functions::charge(lua_State* L) {
-    of(L).charge(L, luaL_checknumber(L, 1));
+    of(L).charge(L, lua_tonumber(L, 1));
     return 0;
 }
 
@@ -64,8 +91,41 @@ int Sandbox::Functions::list(lua_State* L) {
 }
 
 int Sandbox::Functions::kind(lua_State* L) {
-    pushString(L, kindOf(L, 1));
+    pushString(L, kindInWords(L, 1));
     return 1;
+}
+
+int Sandbox::Functions::text(lua_State* L) {
+    if (lua_type(L, 1) == LUA_TTABLE) {
+        of(L).charge(L, chargePerVectorText);
+    }
+    of(L).pushText(L, shownText(L, 1));
+    return 1;
+}
+
+/// An error's text, which LuaJIT or error() has made, as a text of the script.
+int Sandbox::Functions::caught(lua_State* L) {
+    std::string text = withoutOwnPlace(textAt(L, 1));
+    if (auto const tooDeep = tooDeepIn(text)) {
+        of(L).stop(L, *tooDeep, false);
+    }
+    text.resize(std::min(text.size(), longestString));
+    of(L).pushText(L, text);
+    return 1;
+}
+
+int Sandbox::Functions::fail(lua_State* L) {
+    of(L).raise(L, textAt(L, 1));
+}
+
+int Sandbox::Functions::refuse(lua_State* L) {
+    HostFunction const& function = hostFunction(textAt(L, 1));
+    lua_remove(L, 1);
+    std::string const fault = faultOfArguments(L, function);
+    if (!fault.empty()) {
+        of(L).raise(L, fault);
+    }
+    return 0;
 }
 
 int Sandbox::Functions::log(lua_State* L) {
@@ -75,6 +135,10 @@ int Sandbox::Functions::log(lua_State* L) {
     if (sandbox.logged_ < sandbox.limits_.logLines && sandbox.onLog) {
         ++sandbox.logged_;
         sandbox.onLog(line);
+    } else if (sandbox.logged_ == sandbox.limits_.logLines && sandbox.onLog) {
+        ++sandbox.logged_; // said once
+        sandbox.onLog(fmt::format("... further lines of this frame are left out; 'log_lines' in limits is {}",
+                                  sandbox.limits_.logLines));
     }
     return 0;
 }
@@ -94,14 +158,9 @@ int Sandbox::Functions::limitText(lua_State* L) {
 std::string Sandbox::Functions::part(lua_State* L, int index) {
     if (lua_type(L, index) != LUA_TSTRING && lua_type(L, index) != LUA_TNUMBER) {
         of(L).raise(
-            L, fmt::format("a {} cannot be joined to a text; tostring() makes it one", kindOf(L, index)));
+            L, fmt::format("{} cannot be joined to a text; tostring() makes it one", kindInWords(L, index)));
     }
-    lua_pushvalue(L, index); // a copy, as lua_tolstring() converts a number in its place
-    std::size_t size = 0;
-    char const* const text = lua_tolstring(L, -1, &size);
-    std::string copy(text, size);
-    lua_pop(L, 1);
-    return copy;
+    return shownText(L, index);
 }
 
 int Sandbox::Functions::join(lua_State* L) {
@@ -131,23 +190,24 @@ int Sandbox::Functions::cos(lua_State* L) {
 }
 
 int Sandbox::Functions::atan2(lua_State* L) {
-    lua_pushnumber(L, exactAtan2(luaL_checknumber(L, 1), luaL_checknumber(L, 2)));
+    lua_pushnumber(L, exactAtan2(lua_tonumber(L, 1), lua_tonumber(L, 2)));
     return 1;
 }
 
 int Sandbox::Functions::exp(lua_State* L) {
-    lua_pushnumber(L, exactExp(luaL_checknumber(L, 1)));
+    lua_pushnumber(L, exactExp(lua_tonumber(L, 1)));
     return 1;
 }
 
 int Sandbox::Functions::logE(lua_State* L) {
-    lua_pushnumber(L, exactLog(luaL_checknumber(L, 1)));
+    lua_pushnumber(L, exactLog(lua_tonumber(L, 1)));
     return 1;
 }
 
 luaL_Reg const Sandbox::Functions::all[] = {
     {"charge", charge}, {"show", show}, {"suggest", suggest}, {"list", list},
-    {"kind", kind},     {"log", log},   {"limited", limited}, {"limitText", limitText},
+    {"kind", kind},     {"text", text}, {"caught", caught},   {"fail", fail},
+    {"refuse", refuse}, {"log", log},   {"limited", limited}, {"limitText", limitText},
     {"sin", sin},       {"cos", cos},   {"atan2", atan2},     {"exp", exp},
     {"log_e", logE},    {"join", join}, {"plain", plain},     {"keepGarbage", keepGarbage},
     {nullptr, nullptr}};
@@ -167,15 +227,22 @@ int Sandbox::Functions::body(lua_State* L) {
 int Sandbox::Functions::handler(lua_State* L) {
     Sandbox& sandbox = of(L);
     sandbox.memory_.setHost(true);
-    sandbox.error_.message = lua_type(L, 1) == LUA_TSTRING ? textAt(L, 1)
-                             : lua_type(L, 1) == LUA_TNUMBER
-                                 ? fmt::format("{}", lua_tonumber(L, 1))
-                                 : fmt::format("the error is no text but a {}", kindOf(L, 1));
-    constexpr std::size_t longest = 1000;
-    sandbox.error_.message.resize(std::min(sandbox.error_.message.size(), longest));
-    luaL_traceback(L, L, nullptr, 1);
-    sandbox.error_.traceback = textAt(L, -1);
-    sandbox.error_.traceback.resize(std::min(sandbox.error_.traceback.size(), 2 * longest));
+    std::string text = lua_type(L, 1) == LUA_TSTRING || lua_type(L, 1) == LUA_TNUMBER
+                           ? shownText(L, 1)
+                           : fmt::format("the error is no text but {}", kindInWords(L, 1));
+    if (std::string own = withoutOwnPlace(text); own != text) {
+        text = placeOf(L) + own;
+    }
+    if (auto const tooDeep = tooDeepIn(text)) {
+        text = *tooDeep;
+        sandbox.error_.limit = true;
+    }
+    text.resize(std::min(text.size(), longestString));
+    sandbox.error_.message = std::move(text);
+    // Of endless recursion the calls that are under way are all alike, and where memory was refused nobody
+    // knows them.
+    bool const deep = sandbox.error_.message.find(tooDeep) != std::string::npos;
+    sandbox.error_.traceback = deep ? std::string() : callsOf(L);
     return 1;
 }
 

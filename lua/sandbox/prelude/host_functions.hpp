@@ -19,6 +19,10 @@ struct Sandbox::Functions {
     static int suggest(lua_State* L);
     static int list(lua_State* L);
     static int kind(lua_State* L);
+    static int text(lua_State* L);
+    static int caught(lua_State* L);
+    static int fail(lua_State* L);
+    static int refuse(lua_State* L);
     static int log(lua_State* L);
     static int limited(lua_State* L);
     static int limitText(lua_State* L);

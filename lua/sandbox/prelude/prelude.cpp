@@ -2,6 +2,7 @@
 #include "lua/sandbox/prelude/prelude.hpp"
 
 #include "lua/sandbox/prelude/parts.hpp"
+#include "lua/sandbox/prelude/signatures.hpp"
 
 #include <string>
 
@@ -14,11 +15,12 @@ namespace trembler::lua {
 std::string_view preludeText() {
     static std::string const text = [] {
         std::string joined;
-        for (std::string_view const part : {foundationsPart(), errorsPart(), vectorsPart(), textPart(),
-                                            tablesPart(), numbersPart(), globalsPart()}) {
+        for (std::string_view const part :
+             {foundationsPart(), errorsPart(), vectorsPart(), textPart(), tablesPart(), numbersPart()}) {
             joined += part;
         }
-        return joined;
+        joined += signaturesPart();
+        return joined += globalsPart();
     }();
     return text;
 }

@@ -45,17 +45,23 @@ local function keyLess(a, b)
   return a < b
 end
 local function sortedKeys(t, what)
-  check("table", t, 1, what)
-  local keys, n = {}, 0
+  if isVec(t) then return { "x", "y" } end
+  local keys, n, ordered = {}, 0, true
   for key in next, t do
-    if order[type(key)] == nil then
-      error(what .. ": a key is a " .. host.kind(key) .. ", and only numbers, strings and booleans have an order", 3)
-    end
+    if order[type(key)] == nil then ordered = false end
     n = n + 1
     keys[n] = key
   end
+  -- Only now, and without the kind of the key: the order in which `next` finds them differs from run to run.
+  if not ordered then
+    fail(what .. ": a key is an object, and only numbers, strings and booleans have an order")
+  end
   sort(keys, n, keyLess)
   return keys
+end
+local function fieldOf(t, key)
+  if isVec(t) then return t[key] end
+  return rawget(t, key)
 end
 -- In the order of the keys: that of Lua's own differs from state to state.
 function env.pairs(t)
@@ -65,71 +71,73 @@ function env.pairs(t)
       i = i + 1
       local key = keys[i]
       if key == nil then return nil end
-      local value = rawget(t, key)
+      local value = fieldOf(t, key)
       if value ~= nil then return key, value end
     end
   end
 end
 function env.next(t, key)
   local keys = sortedKeys(t, "next")
-  if key == nil then return keys[1], rawget(t, keys[1]) end
+  if key == nil then
+    if keys[1] == nil then return nil end
+    return keys[1], fieldOf(t, keys[1])
+  end
   for i = 1, #keys do
     if keys[i] == key then
       if keys[i + 1] == nil then return nil end
-      return keys[i + 1], rawget(t, keys[i + 1])
+      return keys[i + 1], fieldOf(t, keys[i + 1])
     end
   end
-  error("next: the table has no such key", 2)
+  fail("next: the table has no such key")
 end
 local function unpack(t, from, to)
-  check("table", t, 1, "unpack")
   from, to = from or 1, to or #t
   if to < from then return end
-  if not (to - from < 200) then error("unpack gives at most 200 values", 2) end
+  if not (to - from < 200) then fail("unpack gives at most 200 values") end
   return rawunpack(t, from, to)
 end
 env.unpack = unpack
 local table = { unpack = unpack }
-function table.insert(t, a, b)
-  check("table", t, 1, "table.insert")
-  local n = #t
-  if b == nil then
+function table.insert(t, ...)
+  local n, count, a, b = #t, select("#", ...), ...
+  if count == 1 then
     t[n + 1] = a
     return
   end
-  check("number", a, 2, "table.insert")
-  if a < 1 or a > n + 1 or a ~= floor(a) then error("table.insert: the place is not in the list", 2) end
+  if type(a) ~= "number" then
+    fail("argument 'at' of table.insert is " .. host.kind(a) .. "; expected a number")
+  end
+  if b == nil then fail("argument 'value' of table.insert is nil; expected a value") end
+  if not (a >= 1 and a <= n + 1 and a == floor(a)) then fail("table.insert: the place is not in the list") end
   for i = n, a, -1 do t[i + 1] = t[i] end
   t[a] = b
 end
 function table.remove(t, at)
-  check("table", t, 1, "table.remove")
   local n = #t
   at = at or n
   if n == 0 then return nil end
-  if at < 1 or at > n or at ~= floor(at) then error("table.remove: the place is not in the list", 2) end
+  if not (at >= 1 and at <= n and at == floor(at)) then fail("table.remove: the place is not in the list") end
   local value = t[at]
   for i = at, n - 1 do t[i] = t[i + 1] end
   t[n] = nil
   return value
 end
-function table.sort(t, before)
-  check("table", t, 1, "table.sort")
-  if before ~= nil then check("function", before, 2, "table.sort") end
-  sort(t, #t, before or less)
-end
+function table.sort(t, before) sort(t, #t, before or less) end
 function table.concat(t, between)
-  check("table", t, 1, "table.concat")
   between = between or ""
-  check("string", between, 2, "table.concat")
-  local long = 0
+  -- Of a list of its own: an entry may be another one when it is read again.
+  local parts, long = {}, 0
   for i = 1, #t do
-    local kind = type(t[i])
-    if kind ~= "string" and kind ~= "number" then error("table.concat: entry " .. i .. " is a " .. kind, 2) end
-    long = long + #rawtostring(t[i]) + #between
-    if long > longest then error("table.concat makes at most " .. longest .. " bytes", 2) end
+    local part = t[i]
+    local kind = type(part)
+    if kind ~= "string" and kind ~= "number" then
+      fail("table.concat: entry " .. i .. " is " .. host.kind(part) .. "; expected a text or a number")
+    end
+    parts[i] = part
+    long = long + #text(part) + (i > 1 and #between or 0)
+    if long > longest then fail("table.concat makes at most " .. longest .. " bytes") end
   end
-  return plain(tab.concat(t, between))
+  return plain(tab.concat(parts, between))
 end
 env.table = readOnly("table.", table)
 env.coroutine = readOnly("coroutine.", coroutine)

@@ -8,16 +8,10 @@ std::string_view textPart() {
 -- Text ----------------------------------------------------------------------------------------------------------
 
 local longest = 1000
+-- The one door by which a value becomes a text of a script. No text has an address in it.
 local function text(v)
-  local kind = type(v)
-  if kind == "string" then return v end
-  if kind == "number" then return plain(v) end
-  if kind == "boolean" or kind == "nil" then return rawtostring(v) end
-  if isVec(v) then
-    charge(20)
-    return "(" .. rawtostring(v.x) .. ", " .. rawtostring(v.y) .. ")"
-  end
-  return host.kind(v) -- an address would be another one in every run
+  if type(v) == "string" then return v end
+  return host.text(v)
 end
 env.tostring = text
 local function joined(...)
@@ -32,54 +26,57 @@ end
 function env.log(...) host.log(joined(...)) end
 env.print = env.log
 
-local string = { len = function(s) return #check("string", s, 1, "string.len") end }
+local string = { len = function(s) return #s end }
 for _, name in raw.ipairs({ "lower", "upper", "reverse" }) do
   local f = str[name]
-  string[name] = function(s) return plain(f(check("string", s, 1, "string." .. name))) end
+  string[name] = function(s) return plain(f(s)) end
 end
-function string.sub(s, i, j) return plain(str.sub(check("string", s, 1, "string.sub"), i, j)) end
-function string.byte(s, i) return (str.byte(check("string", s, 1, "string.byte"), i or 1)) end
+function string.sub(s, i, j) return plain(str.sub(s, i, j or -1)) end
+function string.byte(s, i) return (str.byte(s, i or 1)) end
 function string.char(...)
-  if select("#", ...) > 100 then error("string.char takes at most 100 numbers", 2) end
+  for i = 1, select("#", ...) do
+    if type((select(i, ...))) ~= "number" then refuse("string.char", ...) end
+  end
+  if select("#", ...) > 100 then fail("string.char takes at most 100 numbers") end
   return plain(str.char(...))
 end
 function string.rep(s, n)
-  check("string", s, 1, "string.rep")
-  check("number", n, 2, "string.rep")
-  if not (#s * n <= longest) or not (n <= longest) then error("string.rep makes at most " .. longest .. " bytes", 2) end
+  if not (#s * n <= longest) or not (n <= longest) then fail("string.rep makes at most " .. longest .. " bytes") end
   return plain(str.rep(s, n))
 end
 function string.find(s, needle, init)
-  check("string", s, 1, "string.find")
-  check("string", needle, 2, "string.find")
   charge(#s / 4 + #s * #needle / 64)
   return str.find(s, needle, init or 1, true)
 end
-local formats = { d = "number", i = "number", f = "number", e = "number", g = "number", x = "number", s = "any" }
+-- Numbers of %d, %i and %x are converted to whole ones, of which not every machine makes the same beyond these.
+local formats = { d = "whole", i = "whole", f = "number", e = "number", g = "number", x = "whole", s = "any" }
 function string.format(form, ...)
-  check("string", form, 1, "string.format")
-  if #form > 500 then error("string.format takes a form of at most 500 bytes", 2) end
-  local values, count = { ... }, 0
+  if #form > 500 then fail("string.format takes a form of at most 500 bytes") end
+  local values, given, count = { ... }, select("#", ...), 0
   local at = 1
   while true do
     local from = str.find(form, "%", at, true)
     if from == nil then break end
-    local _, stop, letter = str.find(form, "^%%[-+ 0]*%d*%.?%d*(.)", from)
-    if letter == nil then error("string.format: an unfinished %", 2) end
+    local _, stop, width, digits, letter = str.find(form, "^%%[-+ 0]*(%d*)%.?(%d*)(.)", from)
+    if letter == nil then fail("string.format: an unfinished %") end
+    if #width > 2 or #digits > 2 then fail("string.format: a width or precision above 99") end
     if letter ~= "%" then
       count = count + 1
-      local wanted = formats[letter]
-      if wanted == nil then error("string.format has no %" .. letter .. "; it has %d %i %f %e %g %x %s", 2) end
-      if wanted == "number" then
-        if type(values[count]) ~= "number" then error("string.format: value " .. count .. " is no number", 2) end
-      else
-        values[count] = text(values[count])
-        if #values[count] > longest then error("string.format takes at most " .. longest .. " bytes", 2) end
+      local wanted, value = formats[letter], values[count]
+      if wanted == nil then fail("string.format has no %" .. show(letter) .. "; it has %d %i %f %e %g %x %s") end
+      if count > given then fail("string.format: value " .. count .. " is missing") end
+      if wanted == "any" then
+        values[count] = text(value)
+      elseif type(value) ~= "number" then
+        fail("string.format: value " .. count .. " is " .. host.kind(value) .. "; expected a number")
+      elseif wanted == "whole" and not (value > -9223372036854775808 and value < 9223372036854775808) then
+        fail("string.format: value " .. count .. " is too large for %" .. letter)
       end
       charge(20)
     end
     at = stop + 1
   end
+  if count < given then fail("string.format is given " .. given .. " values; the form has " .. count) end
   return plain(str.format(form, rawunpack(values, 1, count)))
 end
 
@@ -89,13 +86,13 @@ env.string = readOnly("string.", string, { match = patterns, gmatch = patterns, 
 -- What stands between the operands of every .. in a script: see withCountedJoins().
 do
   local right
-  local function none() error("an operator .. without a text", 2) end
-  local waiting = rawsetmetatable({}, { __metatable = false, __index = none, __newindex = none, __concat = function(left)
+  local function none() fail("an operator .. without a text") end
+  local waiting = rawsetmetatable({}, { __metatable = hosts, __index = none, __newindex = none, __concat = function(left)
     local operand = right
     right = nil
     return host.join(left, operand)
   end })
-  env[host.joiner] = rawsetmetatable({}, { __metatable = false, __concat = function(_, operand)
+  env[host.joiner] = rawsetmetatable({}, { __metatable = hosts, __concat = function(_, operand)
     right = operand
     return waiting
   end })

@@ -55,6 +55,42 @@ Json connectionJson(std::string const& a, std::string const& b, std::string cons
     return kind.empty() ? pair : Json{{"between", std::move(pair)}, {"kind", kind}};
 }
 
+/// The first hinge or slider whose first object is this one. Throws CommandError if there is none.
+std::string turningJointOf(Json const& level, std::string const& object) {
+    for (JointEntry const& joint : jointsOf(level)) {
+        if (joint.a == object && (joint.form == "hinge" || joint.form == "slider")) {
+            return joint.name;
+        }
+    }
+    throw CommandError(fmt::format(
+        "a gear couples what turns or slides: '{}' needs a hinge or a slider first, of which it is object a",
+        object));
+}
+
+/// What a joint of this form cannot do without, besides its objects and places: values that the author will
+/// change, so that the joint works as soon as it is drawn.
+void completeJoint(Json const& level, Json& joint, std::string const& form, std::string const& a,
+                   std::string const& b, Vec2 at, Vec2 atB) {
+    if (form == "pulley") { // its wheels hang above the ends until the author moves them
+        double const top = std::max(at.y, atB.y) + 1;
+        joint["ground_a"] = pointJson({at.x, top});
+        joint["ground_b"] = pointJson({atB.x, top});
+    } else if (form == "spring") {
+        joint["stiffness"] = 100;
+        joint["damping_rate"] = 2;
+    } else if (form == "wheel") {
+        joint["axis"] = pointJson({0, 1});
+        joint["stiffness"] = 1000;
+        joint["damping_rate"] = 50;
+    } else if (form == "gear") {
+        if (b.empty()) {
+            throw CommandError("a gear couples two objects: it cannot go to the world");
+        }
+        joint["joint_a"] = turningJointOf(level, a);
+        joint["joint_b"] = turningJointOf(level, b);
+    }
+}
+
 std::string countInWords(std::size_t count, std::string_view one, char const* several) {
     return count == 1 ? std::string(one) : fmt::format(fmt::runtime(several), count);
 }
@@ -119,11 +155,7 @@ Command addJoint(GameData const& data, Json const& level, std::string const& for
     if (statesTwoEnds(form)) {
         joint["at_b"] = pointJson(atB);
     }
-    if (form == "pulley") { // its wheels hang above the ends until the author moves them
-        double const top = std::max(at.y, atB.y) + 1;
-        joint["ground_a"] = pointJson({at.x, top});
-        joint["ground_b"] = pointJson({atB.x, top});
-    }
+    completeJoint(level, joint, form, a, b, at, atB);
     mustBeJoint(data, joint);
     return {fmt::format("Add {} of {}", form, b.empty() ? a : fmt::format("{} and {}", a, b)),
             [joint](Json& tree) { listIn(tree, "joints").push_back(joint); }};

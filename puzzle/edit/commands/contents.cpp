@@ -3,6 +3,8 @@
 #include "puzzle/edit/commands/translations.hpp"
 #include "puzzle/edit/tree/tree_access.hpp"
 #include "runtime/level/json/limits.hpp"
+#include "runtime/level/model/tool_count.hpp"
+#include "runtime/level/write/write_level.hpp"
 
 #include <fmt/format.h>
 
@@ -12,7 +14,7 @@ namespace trembler::edit {
 namespace {
 
 void mustBeCount(int count) {
-    if (count < 1 || count > limits::toolboxCount) {
+    if ((count < 1 || count > limits::toolboxCount) && count != unlimitedCount) {
         throw CommandError(fmt::format("a toolbox has 1 to {} of a part", limits::toolboxCount));
     }
 }
@@ -119,24 +121,26 @@ Command addTool(Json const& level, std::string const& part, int count) {
     for (std::size_t i = 0; list != nullptr && i < list->size(); ++i) {
         if (textOf((*list)[i], "part") == part) {
             auto const stated = (*list)[i].find("count");
-            double const before = stated == (*list)[i].end() ? 1 : numberOf(*stated);
-            if (before + count > static_cast<double>(limits::toolboxCount)) {
+            bool const unlimited = stated != (*list)[i].end() && *stated == unlimitedWord;
+            double const before = stated == (*list)[i].end() ? 1 : unlimited ? 0 : numberOf(*stated);
+            if (count != unlimitedCount && before + count > static_cast<double>(limits::toolboxCount)) {
                 mustBeCount(static_cast<int>(limits::toolboxCount) + 1);
             }
-            Command more = setToolCount(level, i, static_cast<int>(before) + count);
+            bool const any = unlimited || count == unlimitedCount;
+            Command more = setToolCount(level, i, any ? unlimitedCount : static_cast<int>(before) + count);
             more.name = fmt::format("Add {} to the toolbox", part);
             return more;
         }
     }
     return {fmt::format("Add {} to the toolbox", part), [=](Json& tree) {
-                listIn(tree, "toolbox").push_back(Json{{"part", part}, {"count", count}});
+                listIn(tree, "toolbox").push_back(Json{{"part", part}, {"count", countJson(count)}});
             }};
 }
 
 Command setToolCount(Json const& level, std::size_t index, int count) {
     mustHaveEntry(level, "toolbox", index, "part");
     mustBeCount(count);
-    return {"Change count", [=](Json& tree) { entryIn(tree, "toolbox", index)["count"] = count; }};
+    return {"Change count", [=](Json& tree) { entryIn(tree, "toolbox", index)["count"] = countJson(count); }};
 }
 
 Command setWires(Json const& /*level*/, int count) {
@@ -153,9 +157,9 @@ Command setWires(Json const& /*level*/, int count) {
                     }
                 }
                 if (!stated && count > 0) {
-                    tools.push_back(Json{{"wire", count}});
+                    tools.push_back(Json{{"wire", countJson(count)}});
                 } else if (stated && count > 0) {
-                    tools[*stated]["wire"] = count;
+                    tools[*stated]["wire"] = countJson(count);
                 } else if (stated) {
                     tools.erase(*stated);
                 }

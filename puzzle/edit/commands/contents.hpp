@@ -25,12 +25,13 @@ namespace trembler::edit {
 
 /// Adds a part to the toolbox, or to its count if it is there.
 [[nodiscard]] Command addTool(Json const& level, std::string const& part, int count = 1);
-[[nodiscard]] Command setToolCount(Json const& level, std::size_t index, int count); ///< 1 to 1000
+[[nodiscard]] Command setToolCount(Json const& level, std::size_t index,
+                                   int count); ///< 1 to 1000, or unlimitedCount
 [[nodiscard]] Command removeTool(Json const& level, std::size_t index);
 [[nodiscard]] Command moveTool(Json const& level, std::size_t from, std::size_t to);
 
 /// How many wires the player may lay; 0: none. Not by setToolCount(): they are no part.
-[[nodiscard]] Command setWires(Json const& level, int count); ///< 0 to 1000
+[[nodiscard]] Command setWires(Json const& level, int count); ///< 0 to 1000, or unlimitedCount
 
 /// A new step of a beginner's first lesson, of one of the kinds of files: "place", "wire", "run", "grab",
 /// "cut". Parts and objects that it needs are the first of `names`; nullopt if there are not enough.

@@ -13,7 +13,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <system_error>
 
 namespace trembler::edit {
 namespace {
@@ -80,18 +79,11 @@ Json partFrom(GameData const& data, Json const& level, std::vector<std::string> 
 }
 
 fs::path writePart(fs::path const& folder, Json const& part) {
-    std::error_code error;
-    fs::create_directories(folder, error);
-    if (error) {
-        throw OutputError(fmt::format("{}: cannot be made: {}", folder.string(), error.message()));
-    }
     std::string const name = fileNameOf(textOf(part, "name"));
-    fs::path file = folder / (name + ".json");
-    for (int number = 2; fs::exists(file, error) && !error; ++number) {
-        file = folder / fmt::format("{}_{}.json", name, number);
-    }
-    writeFile(file, layOutFile(part));
-    return file;
+    return writeNewFile(
+        folder,
+        [&](int number) { return number == 1 ? name + ".json" : fmt::format("{}_{}.json", name, number); },
+        layOutFile(part));
 }
 
 Command replaceByPart(GameData const& data, Json const& level, std::vector<std::string> const& names,

@@ -1,10 +1,13 @@
 // Shapes drawn by hand, as the value of the property "shape".
 #pragma once
 
+#include "puzzle/data/game_data.hpp"
 #include "puzzle/edit/document/command.hpp"
 #include "runtime/math/vec2.hpp"
 
 #include <span>
+#include <string>
+#include <vector>
 
 namespace trembler::edit {
 
@@ -26,5 +29,15 @@ struct DrawnShape {
 /// A polygon with these corners, m, in either direction, at least three; it may be concave, and is then made
 /// of several convex pieces of at most eight corners. Its edges must not cross.
 [[nodiscard]] DrawnShape drawnPolygon(std::span<Vec2 const> corners);
+
+/// The corners of an object's outline by which it can be changed, m, in the world. Empty for one that is not
+/// made of polygons alone, is made of several pieces or mirrored, or does not exist.
+[[nodiscard]] std::vector<Vec2> outlineCorners(GameData const& data, Json const& level,
+                                               std::string const& name);
+/// Moves one of these corners; the object's place stays. A corner that comes to another one, or to the line
+/// between its neighbours, is left out. A shape of the object's part is overridden. Throws CommandError if
+/// there is no such corner, the object is locked, or the edges would cross.
+[[nodiscard]] Command moveCorner(GameData const& data, Json const& level, std::string const& name,
+                                 std::size_t corner, Vec2 to);
 
 } // namespace trembler::edit

@@ -5,6 +5,7 @@
 #include "puzzle/edit/document/command.hpp"
 #include "puzzle/edit/document/tree_patch.hpp"
 #include "puzzle/edit/text/source_text.hpp"
+#include "runtime/file/output_file.hpp"
 #include "runtime/level/model/level.hpp"
 
 #include <cstddef>
@@ -26,7 +27,8 @@ struct SaveResult {
         failed, ///< nothing was written; the file is as it was
     };
     Kind kind = Kind::saved;
-    std::string message{}; ///< for people, for a conflict or a failure
+    std::string message{};              ///< for people, for a conflict or a failure
+    std::optional<OutputError> error{}; ///< of a failure to write
 
     [[nodiscard]] bool ok() const { return kind == Kind::saved; }
 };
@@ -114,9 +116,10 @@ public:
 
     // Saving.
 
-    /// Writes the file completely or not at all, and keeps its permissions. A file that another program
-    /// changed since it was opened is not overwritten unless `overwrite` is yes. A new level fails: it has no
-    /// path. A read-only document fails.
+    /// Writes the file as KeptFile does: completely or not at all, with the version before it as FILE~. A
+    /// file that another program changed since it was opened is not overwritten unless `overwrite` is yes;
+    /// one that is no JSON is moved aside then. A new level fails: it has no path. A read-only document
+    /// fails.
     [[nodiscard]] SaveResult save(Overwrite overwrite = Overwrite::no);
     /// Saves to another file, which becomes the document's. Makes no folders. A read-only document may be
     /// saved elsewhere: its text is copied.

@@ -1,9 +1,10 @@
 // Saving of LevelDocument.
 #include "puzzle/edit/document/level_document.hpp"
-#include "runtime/file/output_file.hpp"
+#include "runtime/file/kept_file.hpp"
 
 #include <fmt/format.h>
 
+#include <cerrno>
 #include <system_error>
 
 namespace trembler::edit {
@@ -11,14 +12,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The text of a file; nothing if there is none. Throws InputError if there is one that cannot be read.
-std::optional<std::string> presentText(fs::path const& path) {
-    std::error_code error;
-    if (!fs::exists(path, error) && !error) {
-        return std::nullopt;
-    }
-    return JsonDocument::readText(path);
+fs::path folderOf(fs::path const& file) {
+    return file.has_parent_path() ? file.parent_path() : fs::path(".");
 }
+
+/// Thrown out of KeptFile::change(), so that nothing is written.
+struct Conflict {
+    std::string message;
+};
 
 } // namespace
 
@@ -40,24 +41,30 @@ SaveResult LevelDocument::saveAs(fs::path const& path, Overwrite overwrite) {
 }
 
 SaveResult LevelDocument::write(fs::path const& path, Overwrite overwrite) {
-    try {
-        std::error_code ignored;
-        bool const own = path == path_ || (!path_.empty() && fs::equivalent(path, path_, ignored));
-        if (overwrite == Overwrite::no) {
-            auto const present = presentText(path);
-            if (present && !own) {
-                return {SaveResult::Kind::conflict, fmt::format("{} exists already", path.string())};
+    std::error_code ignored;
+    bool const own = path == path_ || (!path_.empty() && fs::equivalent(path, path_, ignored));
+    // Looked at while other programs wait: two that save at once must not both find the file unchanged.
+    auto const textFor = [&](KeptText const& there) -> std::optional<std::string> {
+        bool const damaged = there.damaged && !there.damaged->gone;
+        if (overwrite == Overwrite::no && (there.inPlace() || damaged)) {
+            if (!own) {
+                throw Conflict{fmt::format("{} exists already", path.string())};
             }
-            if (present && present != onDisk_) {
-                return {SaveResult::Kind::conflict,
-                        fmt::format("{} has been changed by another program", path.string())};
+            if (damaged || there.text != onDisk_) {
+                throw Conflict{fmt::format("{} has been changed by another program", path.string())};
             }
         }
-        writeFile(path, text());
+        return text();
+    };
+    try {
+        if (!fs::is_directory(folderOf(path), ignored)) {
+            throw OutputError(path, ENOENT); // no folder is made for a name that may be wrong
+        }
+        KeptFile(path).change(textFor);
+    } catch (Conflict const& conflict) {
+        return {SaveResult::Kind::conflict, conflict.message};
     } catch (OutputError const& error) {
-        return {SaveResult::Kind::failed, error.what()};
-    } catch (InputError const& error) { // something is there that cannot be read, such as a folder
-        return {SaveResult::Kind::failed, error.diagnostics().front().print()};
+        return {SaveResult::Kind::failed, error.what(), error};
     }
     if (path_ != path) {
         path_ = path;

@@ -1,6 +1,9 @@
 #include "puzzle/edit/recovery/autosave.hpp"
 
 #include "puzzle/edit/tree/tree_access.hpp"
+#include "runtime/file/file_calls.hpp"
+#include "runtime/file/folder_files.hpp"
+#include "runtime/file/folders.hpp"
 #include "runtime/file/output_file.hpp"
 
 #include <fmt/format.h>
@@ -19,6 +22,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int recoveryVersion = 1;
+constexpr std::size_t mostRecoveries = 1000;                        // files that are looked at
+constexpr std::size_t mostRecoveredBytes = std::size_t{256} << 20U; // of all texts together
 
 fs::path lockFileOf(fs::path const& file) {
     fs::path lock = file;
@@ -27,7 +32,7 @@ fs::path lockFileOf(fs::path const& file) {
 
 /// Opens and locks a file; -1 if another program holds the lock, or it cannot be opened.
 int lockedFile(fs::path const& path, int flags) {
-    int const descriptor = ::open(path.c_str(), flags | O_CLOEXEC, 0600);
+    int const descriptor = fileCalls().open(path.c_str(), flags | O_CLOEXEC, 0600);
     if (descriptor >= 0 && ::flock(descriptor, LOCK_EX | LOCK_NB) != 0) {
         ::close(descriptor);
         return -1;
@@ -58,8 +63,17 @@ std::optional<std::string> textInFile(fs::path const& path) {
     }
 }
 
-std::optional<Recovery> readRecovery(fs::path const& file) {
-    auto const stored = textInFile(file);
+/// Nothing if it is none. One that is damaged is moved aside, and its last good version taken.
+std::optional<Recovery> readRecovery(fs::path const& file, std::vector<DamagedFile>* damaged) {
+    std::optional<std::string> stored;
+    try {
+        KeptText found = KeptFile(file).read();
+        if (found.damaged && damaged != nullptr) {
+            damaged->push_back(std::move(*found.damaged));
+        }
+        stored = std::move(found.text);
+    } catch (InputError const&) { // it cannot be read now
+    }
     Json const all = stored ? Json::parse(*stored, nullptr, false) : Json();
     if (!all.is_object() || all.value("recovery", Json()) != recoveryVersion || !all.contains("text") ||
         !all["text"].is_string()) {
@@ -75,6 +89,15 @@ std::optional<Recovery> readRecovery(fs::path const& file) {
     found.title = textOf(Json::parse(found.text, nullptr, false), "title");
     found.changedSince = textInFile(found.level) != found.onDisk;
     return found;
+}
+
+/// With its lock. What cannot be removed is offered again.
+void removeRecovery(fs::path const& file) {
+    try {
+        KeptFile(file).remove();
+        fileCalls().unlink(lockFileOf(file).c_str());
+    } catch (OutputError const&) { // the lock stays with it
+    }
 }
 
 } // namespace
@@ -119,8 +142,10 @@ void Autosave::flush(LevelDocument const& document) {
         write(document);
         written_ = document.revision();
         error_.reset();
+    } catch (OutputError const& error) {
+        error_ = error;
     } catch (std::exception const& error) {
-        error_ = error.what();
+        error_ = OutputError(error.what());
     }
 }
 
@@ -135,15 +160,12 @@ void Autosave::write(LevelDocument const& document) {
     if (document.onDisk()) {
         all["on_disk"] = *document.onDisk();
     }
-    writeFile(file_, all.dump(-1, ' ', false, Json::error_handler_t::replace));
+    KeptFile(file_).write(all.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
 void Autosave::takeLock() {
     std::error_code error;
-    fs::create_directories(folder_, error);
-    if (error) {
-        throw OutputError(fmt::format("{}: cannot be made: {}", folder_.string(), error.message()));
-    }
+    makeFolder(folder_);
     // The number makes the names of several documents, and of programs before this one, differ.
     for (int number = 1; number < 10000; ++number) {
         fs::path const file = folder_ / fmt::format("{}-{}.json", ::getpid(), number);
@@ -158,8 +180,7 @@ void Autosave::takeLock() {
             return;
         }
         if (errno != EEXIST && errno != EWOULDBLOCK) {
-            throw OutputError(
-                fmt::format("{}: cannot be made: {}", lock.string(), std::generic_category().message(errno)));
+            throw OutputError(lock, errno);
         }
     }
     throw OutputError(fmt::format("{}: has too many recovery files", folder_.string()));
@@ -167,9 +188,7 @@ void Autosave::takeLock() {
 
 void Autosave::close() {
     if (!file_.empty()) {
-        std::error_code ignored;
-        fs::remove(file_, ignored);
-        fs::remove(lockFile_, ignored);
+        removeRecovery(file_);
     }
     abandon();
 }
@@ -182,27 +201,31 @@ void Autosave::abandon() {
     file_.clear();
     lockFile_.clear();
     written_.reset();
+    error_.reset();
 }
 
-std::vector<Recovery> findRecoveries(fs::path const& folder) {
+std::vector<Recovery> findRecoveries(fs::path const& folder, std::vector<DamagedFile>* damaged) {
     std::vector<std::pair<fs::file_time_type, Recovery>> found;
-    std::error_code error;
     if (folder.empty()) {
         return {};
     }
-    for (auto at = fs::directory_iterator(folder, error); !error && at != fs::directory_iterator();
-         at.increment(error)) {
-        fs::path const file = at->path();
-        if (file.extension() != ".json" || isHeld(file)) {
+    std::size_t bytes = 0;
+    for (fs::path const& file :
+         filesIn(folder, ".json", mostRecoveries).files) { // before any of them is moved
+        if (isHeld(file)) {
             continue;
         }
-        auto recovery = readRecovery(file);
+        auto recovery = readRecovery(file, damaged);
         if (!recovery) {
             continue;
         }
         if (textInFile(recovery->level) == recovery->text) {
             discard(*recovery);
             continue;
+        }
+        bytes += recovery->text.size() + recovery->onDisk.value_or("").size();
+        if (bytes > mostRecoveredBytes) {
+            break; // it stays in its file, and is found when others are gone
         }
         std::error_code ignored;
         found.emplace_back(fs::last_write_time(file, ignored), std::move(*recovery));
@@ -217,10 +240,11 @@ std::vector<Recovery> findRecoveries(fs::path const& folder) {
     return recoveries;
 }
 
-std::optional<Recovery> findRecovery(fs::path const& folder, fs::path const& level) {
+std::optional<Recovery> findRecovery(fs::path const& folder, fs::path const& level,
+                                     std::vector<DamagedFile>* damaged) {
     std::error_code ignored;
     fs::path const wanted = level.empty() ? fs::path() : fs::absolute(level, ignored).lexically_normal();
-    for (Recovery& recovery : findRecoveries(folder)) {
+    for (Recovery& recovery : findRecoveries(folder, damaged)) {
         if (recovery.level == wanted) {
             return std::move(recovery);
         }
@@ -233,9 +257,7 @@ LevelDocument recover(GameData const& data, Recovery const& recovery) {
 }
 
 void discard(Recovery const& recovery) {
-    std::error_code ignored;
-    fs::remove(recovery.file, ignored);
-    fs::remove(lockFileOf(recovery.file), ignored);
+    removeRecovery(recovery.file);
 }
 
 } // namespace trembler::edit

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "puzzle/edit/document/level_document.hpp"
+#include "runtime/file/kept_file.hpp"
 
 #include <filesystem>
 #include <optional>
@@ -39,8 +40,8 @@ public:
     void close();
     /// Ends without removing the file, as if the program had been killed. For tests.
     void abandon();
-    /// Why the last writing failed, for people; nothing if it did not. tick() tries again after the interval.
-    [[nodiscard]] std::optional<std::string> const& error() const { return error_; }
+    /// Why the last writing failed; nothing if it did not. tick() tries again after the interval.
+    [[nodiscard]] std::optional<OutputError> const& error() const { return error_; }
     /// Of the recovery file; empty before the first one was written.
     [[nodiscard]] std::filesystem::path const& file() const { return file_; }
 
@@ -54,7 +55,7 @@ private:
     int lock_ = -1;
     double since_ = 0;                     // s, since the last writing
     std::optional<std::uint64_t> written_; // the revision in the file
-    std::optional<std::string> error_;
+    std::optional<OutputError> error_;
 };
 
 /// Work that was left behind by a program that ended without closing it.
@@ -70,11 +71,14 @@ struct Recovery {
 
 /// All recoveries of a folder that no living program holds, the newest first. Files that are no recoveries
 /// are left out; one whose text is that of the level's file is removed, as nothing would be lost. Throws
-/// nothing.
-[[nodiscard]] std::vector<Recovery> findRecoveries(std::filesystem::path const& folder);
+/// nothing. Damaged ones are moved aside and their last good versions taken; `damaged`, if there is one, gets
+/// an entry for each.
+[[nodiscard]] std::vector<Recovery> findRecoveries(std::filesystem::path const& folder,
+                                                   std::vector<DamagedFile>* damaged = nullptr);
 /// The newest one of a level; of new levels, if `level` is empty.
 [[nodiscard]] std::optional<Recovery> findRecovery(std::filesystem::path const& folder,
-                                                   std::filesystem::path const& level);
+                                                   std::filesystem::path const& level,
+                                                   std::vector<DamagedFile>* damaged = nullptr);
 /// The recovered document, modified and writable, even if it has problems. Throws InputError if its text is
 /// not JSON. The recovery file stays until discard(); call it once the document's own Autosave has written.
 [[nodiscard]] LevelDocument recover(GameData const& data, Recovery const& recovery);

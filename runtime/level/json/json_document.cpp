@@ -1,13 +1,14 @@
 #include "runtime/level/json/json_document.hpp"
 
+#include "runtime/file/cut_text.hpp"
 #include "runtime/level/json/add_problem.hpp"
 #include "runtime/level/json/limits.hpp"
+#include "runtime/level/json/read_text.hpp"
+#include "runtime/level/json/text_limits.hpp"
 
 #include <fmt/format.h>
 
-#include <cerrno>
-#include <cstdio>
-#include <system_error>
+#include <utility>
 
 namespace trembler {
 namespace {
@@ -39,6 +40,13 @@ public:
     bool end_array() override { return close(); }
     bool key(string_t& name) override {
         Level& level = open_.back();
+        if (name.size() > limits::key) {
+            std::string const path = pathOfNext(); // with the key before this one
+            flaws_.push_back({path.substr(0, path.rfind('/')),
+                              fmt::format("has a key of {} bytes", name.size()),
+                              fmt::format("at most {}", limits::key), std::nullopt, Spot::value});
+            return false;
+        }
         level.key = name;
         if (level.node->contains(name)) {
             if (std::string path = pathOfNext(); flaws_.empty() || flaws_.back().path != path) {
@@ -64,6 +72,8 @@ public:
             expected = message.substr(at + std::string_view("; expected ").size());
             message.resize(at);
         }
+        constexpr std::size_t longest = 300; // the message may quote a value of many megabytes
+        message = cutText(std::move(message), longest);
         flaws_.push_back({"", message, expected, position == 0 ? 0 : position - 1, Spot::value});
         return false;
     }
@@ -146,30 +156,12 @@ private:
     throw InputError({std::move(diagnostic)});
 }
 
-[[noreturn]] void refuseSize(std::string file, std::uintmax_t size) {
-    refuse(std::move(file), fmt::format("has {} bytes", size), fmt::format("at most {}", limits::fileSize));
-}
-
-/// Fills the text from a file, or shortens it if the file is shorter. Returns 0, or the errno of the failure.
-int readInto(std::filesystem::path const& path, std::string& text) {
-    struct Close {
-        void operator()(std::FILE* file) const { std::fclose(file); }
-    };
-    errno = 0;
-    std::unique_ptr<std::FILE, Close> const file(std::fopen(path.c_str(), "rbe"));
-    if (!file) {
-        return errno;
-    }
-    text.resize(std::fread(text.data(), 1, text.size(), file.get()));
-    return std::ferror(file.get()) == 0 ? 0 : errno;
-}
-
 } // namespace
 
 JsonDocument::JsonDocument(std::string text, std::string file)
     : text_(std::move(text)), file_(std::move(file)) {
     if (text_.size() > limits::fileSize) {
-        refuseSize(file_, text_.size());
+        refuse(file_, fmt::format("has {} bytes", text_.size()), fmt::format("at most {}", limits::fileSize));
     }
     TreeBuilder builder;
     bool const whole = nlohmann::json::sax_parse(text_, &builder);
@@ -198,22 +190,7 @@ std::shared_ptr<JsonDocument const> JsonDocument::parse(std::string text, std::s
 }
 
 std::string JsonDocument::readText(std::filesystem::path const& path) {
-    std::error_code error;
-    if (std::filesystem::is_directory(path, error)) {
-        refuse(path.string(), "is a folder", "a file");
-    }
-    std::uintmax_t const size = std::filesystem::file_size(path, error);
-    if (error) {
-        refuse(path.string(), fmt::format("cannot be read: {}", error.message()), "");
-    }
-    if (size > limits::fileSize) {
-        refuseSize(path.string(), size);
-    }
-    std::string text(static_cast<std::size_t>(size), '\0');
-    if (int const wrong = readInto(path, text); wrong != 0) {
-        refuse(path.string(), fmt::format("cannot be read: {}", std::generic_category().message(wrong)), "");
-    }
-    return text;
+    return trembler::readText(path, limits::fileSize);
 }
 
 std::shared_ptr<JsonDocument const> JsonDocument::load(std::filesystem::path const& path) {

@@ -2,6 +2,7 @@
 
 #include "runtime/level/json/add_problem.hpp"
 #include "runtime/level/json/suggestion.hpp"
+#include "runtime/level/json/text_limits.hpp"
 
 #include <fmt/format.h>
 
@@ -109,6 +110,10 @@ std::optional<bool> JsonNode::boolean(std::string_view expected) const {
 std::optional<std::string> JsonNode::text(std::string_view expected) const {
     if (!value_->is_string()) {
         complainOfType(std::string(expected));
+        return std::nullopt;
+    }
+    if (std::size_t const size = value_->get_ref<std::string const&>().size(); size > limits::text) {
+        complain(fmt::format("has {} bytes", size), fmt::format("at most {}", limits::text));
         return std::nullopt;
     }
     return value_->get<std::string>();

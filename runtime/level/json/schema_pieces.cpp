@@ -1,5 +1,7 @@
 #include "runtime/level/json/schema_pieces.hpp"
 
+#include "runtime/level/json/text_limits.hpp"
+
 #include <fmt/format.h>
 
 #include <utility>
@@ -10,6 +12,10 @@ using Json = nlohmann::ordered_json;
 
 Json reference(std::string_view definition) {
     return Json{{"$ref", fmt::format("#/$defs/{}", definition)}};
+}
+
+Json text() {
+    return Json{{"type", "string"}, {"maxLength", limits::text}};
 }
 
 Json listOf(Json items, std::size_t most) {

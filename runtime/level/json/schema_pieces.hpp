@@ -11,6 +11,8 @@ namespace trembler::json_schema {
 
 /// {"$ref": ...} to a definition under "$defs".
 [[nodiscard]] nlohmann::ordered_json reference(std::string_view definition);
+/// A text for people or of a property, as JsonNode::text() reads it.
+[[nodiscard]] nlohmann::ordered_json text();
 /// A list of at most `most` items.
 [[nodiscard]] nlohmann::ordered_json listOf(nlohmann::ordered_json items, std::size_t most);
 /// An object with these members and no others.

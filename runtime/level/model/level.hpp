@@ -6,6 +6,7 @@
 #include "runtime/level/model/entries.hpp"
 #include "runtime/level/model/recorded_change.hpp"
 #include "runtime/level/model/teaching_step.hpp"
+#include "runtime/level/model/tool_count.hpp"
 #include "runtime/level/model/translation.hpp"
 #include "runtime/level/property/name_table.hpp"
 #include "runtime/level/property/property_set.hpp"
@@ -58,7 +59,7 @@ struct Placement {
 /// An entry of "toolbox".
 struct ToolboxEntry {
     std::string part;
-    int count = 1;
+    int count = 1; ///< may be unlimitedCount
     std::string path;
 };
 
@@ -100,7 +101,7 @@ struct LevelFile {
     std::vector<LevelConnection> connections;
     std::optional<std::vector<Area>> placing; ///< none: anywhere within the bounds
     std::vector<ToolboxEntry> toolbox;
-    int wires = 0;        ///< that the player may lay: the entry {"wire": n} of "toolbox"
+    int wires = 0; ///< that the player may lay: the entry {"wire": n} of "toolbox"; may be unlimitedCount
     nlohmann::json goals; ///< null if there are none; puzzle/goals reads them
     nlohmann::json
         task; ///< of a demonstration: the condition that its player is to reach; null if there is none

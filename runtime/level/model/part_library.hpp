@@ -3,6 +3,7 @@
 
 #include "runtime/level/json/json_document.hpp"
 #include "runtime/level/model/entries.hpp"
+#include "runtime/level/model/part_group.hpp"
 #include "runtime/level/model/translation.hpp"
 #include "runtime/level/property/name_table.hpp"
 #include "runtime/level/property/property_set.hpp"
@@ -10,6 +11,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -25,6 +27,8 @@ struct PartDefinition {
     PropertySet properties;
     std::shared_ptr<JsonDocument const> document; ///< may be null
     Translations texts{};                         ///< in further languages
+    /// As the file states them; none: they follow from the properties (puzzle/data/part_groups.hpp).
+    std::optional<std::vector<PartGroup>> groups{};
 
     std::string main{};                         ///< name of the main piece; empty: the first
     std::vector<LevelObject> objects{};         ///< the pieces of a composite; none: it is one object

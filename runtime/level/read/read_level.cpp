@@ -107,6 +107,19 @@ public:
     }
 
 private:
+    static std::optional<int> readCount(JsonNode const& node) {
+        if (node.value() == unlimitedWord) {
+            return unlimitedCount;
+        }
+        if (!node.value().is_number()) {
+            node.complainOfType(
+                fmt::format("a whole number from 1 to {}, or \"{}\"", limits::toolboxCount, unlimitedWord));
+            return std::nullopt;
+        }
+        auto const number = node.integer(1, limits::toolboxCount);
+        return number ? std::optional(static_cast<int>(*number)) : std::nullopt;
+    }
+
     void readToolboxEntry(JsonNode const& node) {
         MemberReader reader(node, "an object {\"part\", \"count\"} or {\"wire\"}");
         if (auto const wire = reader.optional("wire")) {
@@ -114,21 +127,21 @@ private:
             if (level_.wires > 0) {
                 node.complain("states wires again", "one entry for all wires");
             }
-            level_.wires = static_cast<int>(wire->integer(1, limits::toolboxCount).value_or(0));
+            level_.wires = readCount(*wire).value_or(0);
             return;
         }
         auto const part = reader.required("part", "the name of a part");
         auto const count = reader.optional("count");
         reader.finish();
         auto const name = part ? part->name("the name of a part") : std::nullopt;
-        auto const number = count ? count->integer(1, limits::toolboxCount) : std::optional<std::int64_t>(1);
+        auto const number = count ? readCount(*count) : std::optional(1);
         if (!name || !number) {
             return;
         }
         if (auto const [first, isNew] = toolPaths_.try_emplace(*name, node.path()); !isNew) {
             node.complain(fmt::format("'{}' is already in {}", *name, first->second), "every part once");
         }
-        level_.toolbox.push_back({*name, static_cast<int>(*number), node.path()});
+        level_.toolbox.push_back({*name, *number, node.path()});
     }
 
     Registry const& registry_;

@@ -1,5 +1,6 @@
 #include "runtime/level/read/read_part.hpp"
 
+#include "runtime/file/folder_files.hpp"
 #include "runtime/level/property/property_reader.hpp"
 #include "runtime/level/read/read_pieces.hpp"
 #include "runtime/level/read/read_texts.hpp"
@@ -17,6 +18,22 @@ namespace {
 
 /// The look of a part is an ordinary property, but files state it next to the part's title.
 constexpr std::string_view lookKey = "look";
+
+std::vector<PartGroup> readGroups(JsonNode const& node) {
+    std::vector<PartGroup> groups;
+    if (node.isList("a list of groups", partGroupNames.size())) {
+        for (std::size_t i = 0; i < node.size(); ++i) {
+            auto const group = node.element(i).choice(partGroupNames);
+            bool const again = group && std::count(groups.begin(), groups.end(), PartGroup(*group)) > 0;
+            if (again) {
+                node.element(i).complain("is stated twice", "every group once");
+            } else if (group) {
+                groups.push_back(PartGroup(*group));
+            }
+        }
+    }
+    return groups;
+}
 
 } // namespace
 
@@ -42,6 +59,9 @@ PartDefinition readPart(Registry const& registry, std::shared_ptr<JsonDocument c
         if (auto const texts = reader.optional("texts")) {
             part.texts = readTexts(*texts, TextsOf::part);
         }
+        if (auto const groups = reader.optional("groups")) {
+            part.groups = readGroups(*groups);
+        }
         readPieces(reader, registry, part);
         NameTable* const names =
             part.composite() ? &part.names : nullptr; // a part of one object has no other objects to refer to
@@ -64,23 +84,43 @@ PartDefinition readPart(Registry const& registry, std::shared_ptr<JsonDocument c
     return part;
 }
 
-PartLibrary loadParts(Registry const& registry, std::filesystem::path const& folder) {
-    std::error_code error;
-    std::vector<std::filesystem::path> files;
-    for (auto at = std::filesystem::directory_iterator(folder, error);
-         !error && at != std::filesystem::directory_iterator(); at.increment(error)) {
-        if (at->path().extension() == ".json") {
-            files.push_back(at->path());
-        }
+std::vector<std::filesystem::path> partFiles(std::filesystem::path const& folder,
+                                             std::vector<Diagnostic>& faults, PartLimits const& most) {
+    FolderFiles const found = filesIn(folder, ".json", most.files);
+    auto const complain = [&](std::string message, std::string expected) {
+        faults.push_back({.file = folder.string(),
+                          .path = "",
+                          .message = std::move(message),
+                          .expected = std::move(expected)});
+    };
+    if (found.error) {
+        complain(fmt::format("the folder of parts cannot be read: {}", found.error.message()), "");
     }
+    if (found.leftOut > 0) {
+        complain(fmt::format("has {} files of parts", found.files.size() + found.leftOut),
+                 fmt::format("at most {}", most.files));
+    }
+    std::uintmax_t bytes = 0;
+    for (std::filesystem::path const& file : found.files) {
+        std::error_code ignored; // reading the file reports it
+        std::uintmax_t const size = std::filesystem::file_size(file, ignored);
+        bytes += ignored ? 0 : size;
+    }
+    if (bytes > most.bytes) {
+        complain(fmt::format("its files of parts have {} bytes together", bytes),
+                 fmt::format("at most {}", most.bytes));
+        return {};
+    }
+    return found.files;
+}
+
+PartLibrary loadParts(Registry const& registry, std::filesystem::path const& folder, PartLimits const& most) {
     Problems problems;
-    if (error) {
-        Diagnostic problem;
-        problem.file = folder.string();
-        problem.message = fmt::format("the folder of parts cannot be read: {}", error.message());
-        problems.add(std::move(problem));
+    std::vector<Diagnostic> faults;
+    std::vector<std::filesystem::path> const files = partFiles(folder, faults, most);
+    for (Diagnostic& fault : faults) {
+        problems.add(std::move(fault));
     }
-    std::sort(files.begin(), files.end());
     PartLibrary library;
     for (std::filesystem::path const& file : files) {
         try {

@@ -83,7 +83,7 @@ nlohmann::ordered_json writeTexts(Translations const& texts) {
 
 nlohmann::ordered_json textsSchema(TextsOf of) {
     using Json = nlohmann::ordered_json;
-    Json const text{{"type", "string"}};
+    Json const text = json_schema::text();
     Json members{{"title", {{"type", "string"}, {"minLength", 1}, {"maxLength", 100}}}, {"text", text}};
     if (of == TextsOf::level) {
         members["hints"] = json_schema::listOf(text, limits::hints);

@@ -53,7 +53,7 @@ public:
         addRange(item, limits(info));
         put(info, {{"type", "array"}, {"items", std::move(item)}, {"minItems", 2}, {"maxItems", 2}});
     }
-    void text(FieldInfo const& info, std::string&) override { put(info, {{"type", "string"}}); }
+    void text(FieldInfo const& info, std::string&) override { put(info, json_schema::text()); }
     void object(FieldInfo const& info, ObjectId&) override { put(info, json_schema::reference("name")); }
     void choice(FieldInfo const& info, ChoiceField field) override {
         if (choices == 0) {

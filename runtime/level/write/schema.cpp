@@ -4,6 +4,7 @@
 #include "runtime/level/json/limits.hpp"
 #include "runtime/level/json/schema_pieces.hpp"
 #include "runtime/level/model/level.hpp"
+#include "runtime/level/model/part_group.hpp"
 #include "runtime/level/read/read_extensions.hpp"
 #include "runtime/level/read/read_teaching.hpp"
 #include "runtime/level/read/read_texts.hpp"
@@ -139,8 +140,12 @@ Json editorSchema() {
 } // namespace
 
 Json levelSchema(Registry const& registry, Json const& goals) {
-    Json const text{{"type", "string"}};
-    Json const count{{"type", "integer"}, {"minimum", 1}, {"maximum", limits::toolboxCount}};
+    Json const text = json_schema::text();
+    Json const count{
+        {"anyOf", Json::array({Json{{"type", "integer"}, {"minimum", 1}, {"maximum", limits::toolboxCount}},
+                               Json{{"const", unlimitedWord}}})}};
+    Json wire = count;
+    wire["description"] = "how many wires the player may lay";
     Json definitions = commonDefinitions();
     definitions["properties"] = propertiesSchema(registry, PropertyPlace::properties);
     definitions["properties"]["description"] = "Properties of an object. Each replaces the whole property of "
@@ -194,13 +199,7 @@ Json levelSchema(Registry const& registry, Json const& goals) {
         "The areas in which the player may place parts; left out: anywhere within the bounds.";
     members["toolbox"] = json_schema::listOf(
         Json{{"anyOf", Json::array({json_schema::strictObject({{"part", text}, {"count", count}}, {"part"}),
-                                    json_schema::strictObject(
-                                        {{"wire",
-                                          {{"type", "integer"},
-                                           {"minimum", 1},
-                                           {"maximum", limits::toolboxCount},
-                                           {"description", "how many wires the player may lay"}}}},
-                                        {"wire"})})}},
+                                    json_schema::strictObject({{"wire", wire}}, {"wire"})})}},
         limits::toolboxEntries);
     members["goals"] = goals.is_null() ? Json{{"type", "object"}} : json_schema::reference("condition");
     members["task"] = members["goals"];
@@ -230,7 +229,7 @@ Json levelSchema(Registry const& registry, Json const& goals) {
 }
 
 Json partSchema(Registry const& registry) {
-    Json const text{{"type", "string"}};
+    Json const text = json_schema::text();
     Json definitions = commonDefinitions();
     definitions["properties"] = propertiesSchema(registry, PropertyPlace::properties);
     Json members{{"$schema", text},
@@ -238,6 +237,9 @@ Json partSchema(Registry const& registry) {
                  {"title", json_schema::reference("name")},
                  {"text", text},
                  {"texts", textsSchema(TextsOf::part)}};
+    members["groups"] = json_schema::listOf(Json{{"enum", partGroupNames}}, partGroupNames.size());
+    members["groups"]["description"] =
+        "The groups of a large toolbox that have the part; left out: those that follow from its properties.";
     if (PropertyInfo const* const look = registry.objectProperty("look")) {
         members["look"] = propertySchema(*look);
     }

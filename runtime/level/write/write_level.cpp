@@ -136,6 +136,10 @@ Json worldJson(LevelFile const& level, NameTable const& names) {
 
 } // namespace
 
+Json countJson(int count) {
+    return count == unlimitedCount ? Json(unlimitedWord) : Json(count);
+}
+
 Json writeSolution(Solution const& solution) {
     Json entry{{"name", solution.name}};
     addList(entry, "placements", solution.placements, [](Placement const& placement) {
@@ -190,10 +194,10 @@ Json writeLevel(LevelFile const& level) {
         addList(out, "placing", *level.placing, areaJson);
     }
     addList(out, "toolbox", level.toolbox, [](ToolboxEntry const& entry) {
-        return Json{{"part", entry.part}, {"count", entry.count}};
+        return Json{{"part", entry.part}, {"count", countJson(entry.count)}};
     });
     if (level.wires > 0) {
-        out["toolbox"].push_back(Json{{"wire", level.wires}});
+        out["toolbox"].push_back(Json{{"wire", countJson(level.wires)}});
     }
     if (!level.goals.is_null()) {
         out["goals"] = level.goals;

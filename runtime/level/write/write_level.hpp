@@ -13,5 +13,7 @@ namespace trembler {
 [[nodiscard]] std::string levelText(LevelFile const& level);
 /// One recorded solution, as an entry of a level's list.
 [[nodiscard]] nlohmann::ordered_json writeSolution(Solution const& solution);
+/// The count of an entry of a toolbox: a number, or "unlimited".
+[[nodiscard]] nlohmann::ordered_json countJson(int count);
 
 } // namespace trembler

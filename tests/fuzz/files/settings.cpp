@@ -15,19 +15,22 @@ void requireRanges(ui::Settings const& settings) {
     }
 }
 
-bool same(ui::Settings const& a, ui::Settings const& b) {
-    return a.uiScale == b.uiScale && a.shadows == b.shadows && a.shadowsChosen == b.shadowsChosen &&
-           a.fullscreen == b.fullscreen && a.names == b.names && a.volume == b.volume &&
-           a.touches == b.touches && a.hrtf == b.hrtf && a.reducedMotion == b.reducedMotion &&
-           a.language == b.language;
-}
-
 } // namespace
 
 void fuzzSettings(std::string_view bytes) {
-    std::filesystem::path const file = ownFolder() / "profile.json";
+    // Without what an earlier input has left behind: a last good version, damaged ones.
+    std::filesystem::path const folder = ownFolder() / "profile";
+    std::filesystem::remove_all(folder);
+    std::filesystem::create_directories(folder);
+    std::filesystem::path const file = folder / "profile.json";
     write(file, bytes);
+    bool const whole = ui::isWholeProfile(bytes);
     ui::Profile profile(file);
+    for (std::string const& trouble : profile.troubles()) {
+        lua::require(!trouble.empty(), "a problem says nothing");
+    }
+    lua::require(std::filesystem::exists(folder / "profile.json.damaged-1") != whole,
+                 "a damaged file is not kept aside");
     requireRanges(profile.settings());
     ui::KeyBindings keys(ui::commandLists());
     for (std::string const& trouble : keys.load(profile.keys())) {
@@ -42,7 +45,7 @@ void fuzzSettings(std::string_view bytes) {
     profile.setKeys(keys.stated());
     profile.markSolved("first/1-first-contact.json");
     ui::Profile const again(file);
-    lua::require(same(profile.settings(), again.settings()), "settings change when they are saved");
+    lua::require(profile.settings() == again.settings(), "settings change when they are saved");
     lua::require(again.keys() == keys.stated(), "keys change when they are saved");
     lua::require(again.progress().written() == profile.progress().written(),
                  "progress changes when it is saved");

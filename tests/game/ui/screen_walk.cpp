@@ -46,6 +46,8 @@ void lookAtWhatIf(Player& player, Look const& look) {
     }
     player.key(SDLK_z);
     player.frames(settled);
+    player.key(SDLK_HOME); // the timeline lies over the floor
+    player.frames(2);
     World const& past = player.play().timeline().world();
     Vec2 const ball = past.find<Position>(past.store().find("iron ball"))->value;
     player.drag(player.at(ball), player.at(ball + Vec2{0.7, 0.3}));

@@ -22,12 +22,14 @@ protected:
         open(std::move(level), solution, true);
         session().start();
         marks_.clear();
+        few_.clear();
         speeds_.clear();
         std::map<std::string, Vec2> before;
         while (world().frame() < frames) {
             before = velocities();
             step();
             marks_.look(world(), session().judge());
+            few_.look(world(), session().judge());
             speeds_.push_back(before);
         }
     }
@@ -68,6 +70,7 @@ protected:
     }
 
     Marks marks_;
+    Marks few_{3};
 
 private:
     [[nodiscard]] std::map<std::string, Vec2> velocities() const {
@@ -146,6 +149,16 @@ TEST_F(MarksTest, GoOnFromAnEarlierFrame) {
         EXPECT_EQ(continued.all()[i].frame, whole[i].frame);
         EXPECT_EQ(continued.all()[i].kind, whole[i].kind);
         EXPECT_EQ(continued.all()[i].objects, whole[i].objects);
+    }
+}
+
+TEST_F(MarksTest, NoMoreAreKeptThanThereMayBe) {
+    run("experiments/2-doorbell.json", 200);
+    ASSERT_GT(marks_.all().size(), 3U);
+    ASSERT_EQ(few_.all().size(), 3U);
+    for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_EQ(few_.all()[i].frame, marks_.all()[i].frame);
+        EXPECT_EQ(few_.all()[i].objects, marks_.all()[i].objects);
     }
 }
 

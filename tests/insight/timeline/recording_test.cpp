@@ -138,5 +138,40 @@ TEST_F(RecordingTest, GoesOnAfterFramesWereForgotten) {
     }
 }
 
+// Frames of a very large world are packed at once: 128 of them, as they are, could take gigabytes.
+TEST_F(RecordingTest, KeepsFewFramesAsTheyAreWhereTheyAreLarge) {
+    openWith(load("2-doorbell.json"), "hit the bell with the switch");
+    auto const run = buildAgain(gameData().registry, session());
+    run->begin();
+    Playback const playback = playback_;
+    Recording usual;
+    usual.begin(run->world(), run->judge());
+    std::size_t largest = 0;
+    std::map<std::uint64_t, std::uint64_t> hashes;
+    constexpr std::size_t most = 40'000;
+    Recording small(most);
+    small.begin(run->world(), run->judge());
+    while (run->world().frame() < 200) {
+        playback.feed(*run);
+        run->step();
+        usual.add(run->world(), run->judge());
+        small.add(run->world(), run->judge());
+        hashes[run->world().frame()] = run->world().store().hash();
+        largest = std::max(largest, usual.bytes());
+        ASSERT_LE(small.bytes(), 2 * most) << run->world().frame();
+    }
+    EXPECT_GT(largest, 4 * most) << "otherwise the world is too small to show anything";
+    EXPECT_EQ(small.last(), 200U);
+    EXPECT_GT(small.frames(), 3U);
+    Stage shown = stage();
+    std::size_t frames = 0;
+    for (auto frame = small.after(0); frame; frame = small.after(*frame)) {
+        shown.show(small, *frame);
+        ASSERT_EQ(shown.world().store().hash(), hashes.at(*frame)) << *frame;
+        ++frames;
+    }
+    EXPECT_GE(frames + 1, small.frames());
+}
+
 } // namespace
 } // namespace trembler::insight

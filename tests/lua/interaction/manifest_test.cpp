@@ -78,12 +78,12 @@ TEST(Manifest, ComplainsWithFileAndLineAndASuggestion) {
         EXPECT_NE(problems.find(part), std::string::npos) << "got: " << problems << "wanted: " << part;
     };
     expect(with("\"Position\"", "\"Positon\""),
-           "wind.lua:5:1: there is no property 'Positon' (did you mean 'Position'?)");
+           "wind.lua:5:14: there is no property 'Positon' (did you mean 'Position'?)");
     expect(with("calls = \"Dynamics\"", "calls = \"Dynamic\""),
            "begins with \"Dynamic <- \", or calls = \"Dynamics\"");
     expect(with("Dynamics <- Wind", "Wind"),
-           "wind.lua:2:1: the name 'Wind' does not state what is connected");
-    expect(with("reads =", "raeds ="), "wind.lua:5:1: unknown key 'raeds' (did you mean 'reads'?)");
+           "wind.lua:2:3: the name 'Wind' does not state what is connected");
+    expect(with("reads =", "raeds ="), "wind.lua:5:3: unknown key 'raeds' (did you mean 'reads'?)");
     expect(with("default = 8", "default = 80"),
            "the default of parameter 'speed' is not between min and max");
     expect(with("\"calm\", choices", "\"wild\", choices"), "'calm' or 'stormy'");
@@ -91,7 +91,11 @@ TEST(Manifest, ComplainsWithFileAndLineAndASuggestion) {
     expect(with("each = { \"Mass\" },", "each = {},"), "'each' selects every object");
     expect(with("apply = function(object, params, out) end,", ""), "'apply' is missing");
     expect(with("instructions = 50000", "instructions = 5e9"), "the limit 'instructions' is too large");
-    expect(with("function(object", "function(object, 3"), "wind.lua:14:1:");
+    expect(with("function(object", "function(object, 3"), "wind.lua:14:28:");
+    expect(with("default = 8", "default 8"), "wind.lua:8:23: '}' expected near '8'");
+    expect("return interaction {\n\tname = \"a\" text = \"b\" }", "wind.lua:2:13: ");
+    // LuaJIT's messages quote the script, not the counters that are put into it.
+    expect("for i = 1, 2 do do do\n  return\nend end end end", "wind.lua:3:");
     expect("local x = nothing.at.all\n" + good, "wind.lua:1:1: there is no 'nothing'");
     expect("return 3", "the script returns no interaction");
     expect("x = 1\n" + good, "'x' is not declared");

@@ -77,8 +77,7 @@ TEST(CountedJoins, JoinLikeLua) {
     EXPECT_EQ(resultOf("#('a' .. ('b' .. 'c'))"), "3");
     EXPECT_EQ(resultOf("(function(...) return ... .. 'x' end)('y')"), "yx");
     EXPECT_EQ(resultOf("'..' .. [[..]] --[[ 'a' .. 'b' ]]"), "....");
-    EXPECT_EQ(resultOf("'a' .. nil"),
-              "test.lua:1: a nil cannot be joined to a text; tostring() makes it one");
+    EXPECT_EQ(resultOf("'a' .. nil"), "test.lua:1: nil cannot be joined to a text; tostring() makes it one");
     EXPECT_EQ(resultOf("'a' .. vec2(1, 2)"),
               "test.lua:1: a vector cannot be joined to a text; tostring() makes it one");
 }

@@ -7,7 +7,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cerrno>
 #include <fstream>
+#include <vector>
 
 namespace trembler {
 namespace {
@@ -35,13 +37,16 @@ TEST_F(KeptBuild, IsThereAgainInTheNextSession) {
         BuildKeeper keeper(builds, "first/1");
         EXPECT_EQ(keeper.restore(session), 0);
         ASSERT_TRUE(session.place(bar));
-        EXPECT_TRUE(keeper.pass(session, 0.1));
+        keeper.pass(session, 0.1);
         EXPECT_FALSE(fs::exists(builds.fileOf("first/1"))) << "not yet";
-        EXPECT_TRUE(keeper.pass(session, BuildKeeper::delay));
+        keeper.pass(session, BuildKeeper::delay);
         EXPECT_TRUE(fs::exists(builds.fileOf("first/1")));
+        auto const written = fs::last_write_time(builds.fileOf("first/1"));
         session.start();
         session.step();
-        EXPECT_TRUE(keeper.finish(session)) << "a run changes nothing of it";
+        keeper.finish(session);
+        EXPECT_EQ(fs::last_write_time(builds.fileOf("first/1")), written) << "a run changes nothing of it";
+        EXPECT_FALSE(builds.unwritten());
     }
     Session session(gameData().registry, gameData().parts, level());
     BuildKeeper keeper(builds, "first/1");
@@ -51,7 +56,7 @@ TEST_F(KeptBuild, IsThereAgainInTheNextSession) {
     EXPECT_NEAR(session.placed()[0].placement.angle, bar.angle, 1e-12);
     EXPECT_EQ(session.mode(), SessionMode::building);
     session.putAllBack();
-    EXPECT_TRUE(keeper.finish(session));
+    keeper.finish(session);
     EXPECT_FALSE(fs::exists(builds.fileOf("first/1"))) << "nothing built, nothing kept";
 }
 
@@ -68,7 +73,28 @@ TEST_F(KeptBuild, WhatNoLongerFitsIsLeftOut) {
         Session other(gameData().registry, gameData().parts, level());
         EXPECT_EQ(builds.restore("y", other), 0) << damaged;
         EXPECT_TRUE(other.placed().empty()) << damaged;
+        EXPECT_EQ(builds.takeDamaged().size(), 1U) << damaged;
+        EXPECT_FALSE(fs::exists(builds.fileOf("y"))) << "it was moved aside: " << damaged;
     }
+}
+
+TEST_F(KeptBuild, TheLastGoodOneIsThereForADamagedOne) {
+    Placement const bar{"steel bar", {-1.8, 1.3}, 0.1, ""};
+    {
+        Session session(gameData().registry, gameData().parts, level());
+        ASSERT_TRUE(session.place(bar));
+        builds.keep("x", buildOf(session));
+        ASSERT_TRUE(session.move(session.placed()[0].number, {-1.7, 1.3}, 0.1));
+        builds.keep("x", buildOf(session));
+    }
+    fs::resize_file(builds.fileOf("x"), 20);
+    Session session(gameData().registry, gameData().parts, level());
+    EXPECT_EQ(builds.restore("x", session), 0);
+    ASSERT_EQ(session.placed().size(), 1U);
+    EXPECT_EQ(session.placed()[0].placement.at, bar.at);
+    std::vector<DamagedFile> const damaged = builds.takeDamaged();
+    ASSERT_EQ(damaged.size(), 1U);
+    EXPECT_EQ(fs::file_size(damaged[0].aside), 20U);
 }
 
 TEST_F(KeptBuild, LevelsHaveFilesOfTheirOwn) {
@@ -78,16 +104,27 @@ TEST_F(KeptBuild, LevelsHaveFilesOfTheirOwn) {
     EXPECT_LT(builds.fileOf(std::string(5000, 'x')).filename().string().size(), 200U);
 }
 
-TEST_F(KeptBuild, ThatCannotBeWrittenIsReportedOnce) {
+TEST_F(KeptBuild, ThatCannotBeWrittenIsTriedAgain) {
     fs::create_directories(folder.parent_path());
     std::ofstream(folder) << "a file where the folder should be";
     Session session(gameData().registry, gameData().parts, level());
     BuildKeeper keeper(builds, "x");
     keeper.restore(session);
     ASSERT_TRUE(session.place({"steel bar", {-1.8, 1.3}, 0, ""}));
-    EXPECT_FALSE(keeper.finish(session));
-    EXPECT_FALSE(keeper.why().empty());
-    EXPECT_TRUE(keeper.finish(session));
+    keeper.finish(session);
+    ASSERT_TRUE(builds.unwritten());
+    EXPECT_EQ(builds.unwritten()->error(), ENOTDIR);
+    // It is there all the same, if the level is opened again meanwhile.
+    Session again(gameData().registry, gameData().parts, level());
+    BuildKeeper other(builds, "x");
+    other.restore(again);
+    EXPECT_EQ(again.placed().size(), 1U);
+    fs::remove(folder);
+    builds.pass(KeptBuilds::patience / 2);
+    EXPECT_TRUE(builds.unwritten()) << "not yet";
+    builds.pass(KeptBuilds::patience);
+    EXPECT_FALSE(builds.unwritten());
+    EXPECT_TRUE(fs::exists(builds.fileOf("x")));
 }
 
 TEST_F(KeptBuild, FreePlayOffersEveryPart) {

@@ -153,5 +153,24 @@ TEST_F(SessionTest, TheLogOfAnEndedRunIsKept) {
     EXPECT_EQ(session().mode(), SessionMode::running) << "a run is not paused when it begins";
 }
 
+TEST_F(SessionTest, UndoGoesBackAThousandChanges) {
+    auto const moved = pond->place(ball(-1));
+    ASSERT_TRUE(moved);
+    for (std::size_t i = 0; i < Session::mostUndo + 3; ++i) {
+        ASSERT_TRUE(pond->move(*moved, {i % 2 == 0 ? 1.0 : -1.0, 3}, 0));
+    }
+    std::size_t undone = 0;
+    while (pond->undo()) {
+        ++undone;
+    }
+    EXPECT_EQ(undone, Session::mostUndo);
+    EXPECT_EQ(pond->placed().size(), 1U) << "its placing is forgotten";
+    std::size_t redone = 0;
+    while (pond->redo()) {
+        ++redone;
+    }
+    EXPECT_EQ(redone, Session::mostUndo);
+}
+
 } // namespace
 } // namespace trembler

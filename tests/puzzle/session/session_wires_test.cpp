@@ -1,4 +1,5 @@
 // Wires that the player lays: they count, last through other edits, are undone, recorded and loaded.
+#include "runtime/level/read/read_level.hpp"
 #include "runtime/level/write/write_level.hpp"
 #include "tests/support/experiment.hpp"
 
@@ -44,6 +45,53 @@ TEST_F(Wires, CloseACircuitAndAreUndone) {
     EXPECT_TRUE(session.takeWire(find("lamp"), find("plus")));
     EXPECT_FALSE(session.takeWire(find("lamp"), find("minus"))) << "the level's own";
     EXPECT_FALSE(lights());
+}
+
+TEST_F(Wires, WithoutALimitStayUnlimited) {
+    LevelFile free = level();
+    free.wires = unlimitedCount;
+    free.toolbox[0].count = unlimitedCount;
+    Session many(gameData().registry, gameData().parts, free);
+    std::vector<int> bars;
+    for (int i = 0; i < 6; ++i) {
+        auto const bar = many.place({"steel bar", {-2.5, 0.8 + 0.4 * i}, 0, ""});
+        ASSERT_TRUE(bar) << i;
+        bars.push_back(*bar);
+    }
+    EXPECT_EQ(many.toolbox()[0].left, unlimitedCount);
+    std::size_t laid = 0;
+    for (std::size_t a = 0; a < bars.size(); ++a) {
+        for (std::size_t b = a + 1; b < bars.size(); ++b) {
+            ASSERT_TRUE(many.layWire(many.objectOf(bars[a]), many.objectOf(bars[b])));
+            EXPECT_EQ(many.wires().size(), ++laid);
+            EXPECT_EQ(many.wiresLeft(), unlimitedCount);
+        }
+    }
+    EXPECT_EQ(laid, 15U);
+    ASSERT_TRUE(many.undo());
+    EXPECT_EQ(many.wires().size(), 14U);
+    ASSERT_TRUE(many.redo());
+    EXPECT_EQ(many.wires().size(), 15U);
+    // A recording has them all, also after it was written and read; and it plays as the session does.
+    Solution const recorded = many.record("many");
+    LevelFile copy = free;
+    copy.solutions = {recorded};
+    auto const document = JsonDocument::parse(levelText(copy), "copy.json");
+    LevelFile const read = readLevel(gameData().registry, document);
+    EXPECT_EQ(read.wires, unlimitedCount);
+    Session again(gameData().registry, gameData().parts, read);
+    again.load(read.solutions.at(0));
+    EXPECT_EQ(again.wires().size(), 15U);
+    EXPECT_EQ(again.wiresLeft(), unlimitedCount);
+    for (int i = 0; i < 30; ++i) {
+        many.step();
+        again.step();
+    }
+    EXPECT_EQ(many.world().stateHash(), again.world().stateHash());
+    again.stop();
+    EXPECT_TRUE(
+        again.takeWire(again.objectOf(again.placed()[0].number), again.objectOf(again.placed()[1].number)));
+    EXPECT_EQ(again.wires().size(), 14U);
 }
 
 TEST_F(Wires, AreRefusedInWords) {

@@ -116,5 +116,33 @@ TEST(Tracer, RefusesIdsThatDoNotFitInsteadOfMixingThemUp) {
     EXPECT_THROW(sink.record("x", {}, {}), std::length_error);
 }
 
+// The message names the frame; what was gathered before stays.
+TEST(Tracer, RefusesMoreThanItsMemory) {
+    Store store;
+    std::vector<ObjectId> const objects{
+        store.create("an object with a name that is longer than twenty letters")};
+    Tracer tracer(100'000);
+    std::uint64_t frame = 0;
+    std::string why;
+    while (why.empty()) {
+        ASSERT_LT(++frame, 10'000U);
+        EventSink sink(&store, frame, 0, 0, Phase::resolver, "A");
+        EventId const cause = record(sink, "begun", objects, {});
+        record(sink, "ended", objects, std::vector<EventId>{cause});
+        try {
+            tracer.gather(sink);
+        } catch (std::length_error const& error) {
+            why = error.what();
+        }
+    }
+    EXPECT_EQ(why, "the account of this run takes more than 0 MB of memory in frame " +
+                       std::to_string(frame) +
+                       "; expected at most that much: compute fewer frames, or turn tracing off");
+    std::size_t const events = tracer.events().size();
+    EXPECT_GE(events, 2 * (frame - 1));
+    EXPECT_LT(events * sizeof(Event), 100'000U);
+    EXPECT_GT(events * 600, 100'000U) << "an event of this kind takes less";
+}
+
 } // namespace
 } // namespace trembler

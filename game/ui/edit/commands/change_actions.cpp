@@ -242,8 +242,10 @@ void makePart(EditParts& parts, std::string const& name, bool putHere) {
     try {
         Json const part = edit::partFrom(*parts.data, parts.tree(), names, names.front(), {name, name, ""});
         auto const file = edit::writePart(ownPartsFolder(), part);
-        parts.tell(words::partMade(name, file.string()), ToastKind::Success);
-    } catch (std::exception const& error) { // CommandError and OutputError, in words for people
+        parts.tell(words::partMade(name, shownPath(file)), ToastKind::Success);
+    } catch (OutputError const& error) {
+        return parts.tell(notWritten(Owned::part, error), ToastKind::Trouble);
+    } catch (std::exception const& error) { // CommandError, in words for people
         return parts.tell(shownError(error), ToastKind::Trouble);
     }
     parts.reloadParts();

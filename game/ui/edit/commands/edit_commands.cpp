@@ -46,6 +46,8 @@ constexpr Gesture gesturesOfEditor[] = {
     {.with = "drag an object", .does = "move the selection", .group = CommandGroup::editing},
     {.with = "drag the round knob", .does = "turn the selection", .group = CommandGroup::editing},
     {.with = "drag a square knob", .does = "scale the shape", .group = CommandGroup::editing},
+    {.with = "drag a corner", .does = "change a polygon", .group = CommandGroup::editing},
+    {.with = "right click", .does = "put the tool away: back to Select", .group = CommandGroup::editing},
     {.with = "Ctrl, Alt", .does = "hold: without the grid", .group = CommandGroup::editing},
     {.with = "wheel", .does = "zoom", .group = CommandGroup::editing},
     {.with = "drag with the right or middle button",

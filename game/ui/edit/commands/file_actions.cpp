@@ -45,7 +45,10 @@ bool saveTo(EditParts& parts, std::filesystem::path const& path, edit::LevelDocu
     if (result.kind == edit::SaveResult::Kind::conflict) {
         parts.dialogs.askConflict(translated(result.message), path);
     } else {
-        parts.tell(translated(result.message), ToastKind::Trouble);
+        // Until it is saved, the unsaved work is kept as it is at any other time.
+        parts.context.toasts.add(result.error ? notWritten(Owned::level, *result.error)
+                                              : translated(result.message),
+                                 ToastKind::Trouble, 10);
         parts.giveUpLeaving();
     }
     return false;

@@ -1,11 +1,13 @@
 #include "game/ui/edit/commands/edit_actions.hpp"
 #include "game/ui/edit/edit_words.hpp"
+#include "game/ui/edit/tools/join_ends.hpp"
 #include "puzzle/edit/commands/connect.hpp"
 #include "puzzle/edit/commands/contents.hpp"
 #include "puzzle/edit/commands/goals.hpp"
 #include "puzzle/edit/commands/objects.hpp"
 #include "puzzle/edit/commands/shapes.hpp"
 #include "puzzle/edit/tree/tree_access.hpp"
+#include "runtime/placement.hpp"
 
 #include <array>
 
@@ -14,17 +16,35 @@ namespace {
 
 using edit::Json;
 
-/// Where an object is at the start; the middle of the view for an unknown one.
-Vec2 placeOf(EditParts const& parts, std::string const& name) {
-    Json const* const object = edit::findObject(parts.tree(), name);
-    return object == nullptr ? parts.middleOfView() : edit::placeOf(*object);
+/// Where an object, or a piece of one, is at the start; the middle of the view for one without a place.
+Vec2 placeOf(EditParts const& parts, JoinEnd const& end) {
+    auto const* const places = parts.world.world()->store().findColumn<Position>();
+    Position const* const place = places == nullptr ? nullptr : places->find(end.object);
+    return place == nullptr ? parts.middleOfView() : place->value;
+}
+
+/// A joint or a wire between the two selected objects; a joint of a single one holds it to the world.
+void joinSelected(EditParts& parts, Tool tool) {
+    std::vector<JoinEnd> const ends = selectedEnds(parts, tool);
+    bool const enough = ends.size() == 2 || (ends.size() == 1 && tool == Tool::joint);
+    if (!enough || !ends.front().valid() || !ends.back().valid()) {
+        return parts.tell(words::selectTwo);
+    }
+    JoinEnd const to = ends.size() == 2 ? ends[1] : JoinEnd{};
+    Join const join{tool, ends.front(), to, placeOf(parts, ends.front()), placeOf(parts, ends.back())};
+    if (std::string const why = whyNoJoin(parts, join); !why.empty()) {
+        return parts.tell(why, render::ToastKind::Trouble);
+    }
+    if (tool == Tool::wire) {
+        return connectObjects(parts, join.from.name, join.to.name);
+    }
+    joinObjects(parts, join.from.name, join.to.name, join.at, join.atB);
 }
 
 /// The result of the tool without the mouse: an object in the middle of the view, or a joint or wire between
 /// two selected objects.
 void makeInTheMiddle(EditParts& parts, Tool tool) {
     Vec2 const middle = parts.middleOfView();
-    auto const& names = parts.selected();
     switch (tool) {
     case Tool::box:
         return addDrawn(parts, [&](Json const& level) {
@@ -48,16 +68,8 @@ void makeInTheMiddle(EditParts& parts, Tool tool) {
             return shapeCommand(level, edit::drawnPolygon(corners), "polygon");
         });
     case Tool::joint:
-        if (names.empty() || names.size() > 2) {
-            return parts.tell(words::selectTwo);
-        }
-        return joinObjects(parts, names[0], names.size() == 2 ? names[1] : "", placeOf(parts, names[0]),
-                           placeOf(parts, names.back()));
     case Tool::wire:
-        if (names.size() != 2) {
-            return parts.tell(words::selectTwo);
-        }
-        return connectObjects(parts, names[0], names[1]);
+        return joinSelected(parts, tool);
     case Tool::placing:
     case Tool::goalArea:
         return addArea(parts, tool, Area{Box{middle - Vec2{0.5, 0.5}, {1, 1}}, {}});
@@ -88,9 +100,7 @@ void take(EditParts& parts, Tool tool) {
 }
 
 void addDrawn(EditParts& parts, std::function<edit::Command(Json const&)> const& make) {
-    if (parts.run(make)) {
-        parts.tool = Tool::select;
-    }
+    parts.run(make); // the tool stays
 }
 
 void addPart(EditParts& parts, std::string const& part, Vec2 at) {
@@ -117,7 +127,6 @@ void addArea(EditParts& parts, Tool tool, Area const& area) {
         if (parts.run([&](Json const& level) { return edit::addPlacingArea(level, area); })) {
             auto const& placing = parts.tree().at("placing");
             parts.selection.choose(EntryKind::placing, "/placing/" + std::to_string(placing.size() - 1));
-            parts.tool = Tool::select;
         }
         return;
     }
@@ -131,7 +140,6 @@ void addArea(EditParts& parts, Tool tool, Area const& area) {
     });
     if (done) {
         parts.tab = Tab::goals;
-        parts.tool = Tool::select;
     }
 }
 

@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 
 namespace trembler::ui {
@@ -21,28 +20,6 @@ using namespace render;
 using edit::Json;
 
 constexpr float shareOfName = 0.38F;
-
-std::string numberFormat(std::string const& unit, bool whole) {
-    std::string format = whole ? "%.0f" : "%.5g";
-    if (!unit.empty()) {
-        format += unit.starts_with("°") ? "" : " ";
-        for (char const c : unit) {
-            format += c == '%' ? std::string("%%") : std::string(1, c);
-        }
-    }
-    return format;
-}
-
-/// Each use of a widget is a gesture of its own.
-void noteUse(EditParts& parts) {
-    if (ImGui::IsItemActivated()) {
-        parts.widget = {parts.document.newGesture(), edit::Gesture::Next::replaces};
-    }
-}
-
-float dragSpeed(double value) {
-    return static_cast<float>(std::clamp(0.01 * std::abs(value), 0.005, 1e6));
-}
 
 /// Whether a place inside a property is that of an entry of a list, which has a value or does not exist.
 bool isListEntry(std::string const& place) {
@@ -114,41 +91,26 @@ bool committedText(EditParts& parts, std::string const& item, std::string& text,
     return true;
 }
 
-bool numberField(EditParts& parts, std::string const& item, double& value, double low, double high,
-                 std::string const& unit, bool whole) {
-    // ImGui's drags take no ranges beyond half of all numbers.
-    low = std::max(low, -1e300);
-    high = std::min(high, 1e300);
-    bool const changed = ImGui::DragScalar(("##" + item).c_str(), ImGuiDataType_Double, &value,
-                                           whole ? 0.05F : dragSpeed(value), &low, &high,
-                                           numberFormat(unit, whole).c_str(), ImGuiSliderFlags_AlwaysClamp);
-    parts.context.layout.item(item);
-    noteUse(parts);
-    if (whole) {
-        value = std::round(value);
-    }
-    return changed;
-}
-
 bool choiceField(EditParts& parts, std::string const& item, std::string& chosen,
                  std::vector<std::string> const& choices,
                  std::function<std::string(std::string const&)> const& inWords) {
     auto const shown = [&](std::string const& choice) {
         return choice.empty() ? std::string("–") : inWords ? inWords(choice) : choice;
     };
-    bool changed = false;
-    if (ImGui::BeginCombo(("##" + item).c_str(), shown(chosen).c_str())) {
+    auto const entries = [&] {
+        std::vector<DropDown::Entry> all;
         for (std::string const& choice : choices) {
-            if (ImGui::Selectable((shown(choice) + "##" + choice).c_str(), choice == chosen)) {
-                changed = choice != chosen;
-                chosen = choice;
-            }
-            parts.context.layout.item(item + " = " + choice);
+            all.push_back({shown(choice), " = " + choice, {}});
         }
-        ImGui::EndCombo();
+        return all;
+    };
+    auto const now = parts.dropDown.draw(parts, item, shown(chosen), entries,
+                                         [&](auto const& entry) { return entry.id == " = " + chosen; });
+    if (!now || choices[*now] == chosen) {
+        return false;
     }
-    parts.context.layout.item(item);
-    return changed;
+    chosen = choices[*now];
+    return true;
 }
 
 std::optional<Json> fieldWidget(EditParts& parts, edit::InspectedField const& field,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "game/ui/edit/edit_parts.hpp"
+#include "game/ui/edit/fields/number_field.hpp"
 #include "puzzle/edit/inspect/inspector.hpp"
 
 #include <functional>
@@ -19,9 +20,6 @@ void fieldName(std::string const& name, std::string const& help);
 /// larger field.
 [[nodiscard]] bool committedText(EditParts& parts, std::string const& item, std::string& text,
                                  float lines = 1);
-/// A number to drag or type. True while it changes; EditParts::widget is then the gesture of its changes.
-[[nodiscard]] bool numberField(EditParts& parts, std::string const& item, double& value, double low,
-                               double high, std::string const& unit, bool whole = false);
 /// One of several texts, shown as they are or in words. True when another one was chosen.
 [[nodiscard]] bool choiceField(EditParts& parts, std::string const& item, std::string& chosen,
                                std::vector<std::string> const& choices,

@@ -67,7 +67,7 @@ void drawList(Owner const& owner, std::string const& key, InspectedField const& 
     if (field.entries.empty()) {
         fieldName(shownField(field.name), text(field.help));
     }
-    if (smallButton(parts, words::addEntry, "add " + key + field.place)) {
+    if (smallButton(parts, words::addEntryOf(shownField(field.name)).c_str(), "add " + key + field.place)) {
         Json const entry = field.value.is_array() && !field.value.empty() ? field.value.back() : Json();
         runWidget(
             parts,

@@ -147,9 +147,10 @@ void FileBrowser::drawEntries(UiContext& context, std::optional<fs::path>& chose
     if (!picked) {
         return;
     }
+    std::error_code unknown; // what cannot be looked at is no folder
     if (*picked == "..") {
         enter(folder_.parent_path());
-    } else if (purpose_ == Purpose::saveAs && !fs::is_directory(folder_ / *picked)) {
+    } else if (purpose_ == Purpose::saveAs && !fs::is_directory(folder_ / *picked, unknown)) {
         name_ = *picked;
         replace_ = false;
     } else {

@@ -2,6 +2,7 @@
 
 #include "game/ui/edit/commands/command_menus.hpp"
 #include "game/ui/edit/edit_words.hpp"
+#include "game/ui/edit/fields/field_widgets.hpp"
 #include "game/ui/edit/panels/tool_icons.hpp"
 #include "game/ui/shared/commands/command_buttons.hpp"
 #include "game/ui/shared/commands/named_keys.hpp"
@@ -70,7 +71,7 @@ void drawMenu(EditParts& parts, EditMenu const& menu, CommandSet const& commands
         }
         layout.item("item " + std::string(command.info.id));
         if (ImGui::IsItemHovered()) {
-            ImGui::SetTooltip("%s", shownTip(command.info, false, parts.context.keys).c_str());
+            tipBeside(shownTip(command.info, false, parts.context.keys));
         }
     }
     ImGui::EndPopup();
@@ -120,7 +121,14 @@ void drawLevelName(EditParts& parts) {
     char const* const state = parts.document.readOnly() ? words::readOnlyShort
                               : parts.document.modified() || parts.document.path().empty() ? words::notSaved
                                                                                            : words::allSaved;
-    caption(state);
+    auto const& unsafe = parts.autosave->error();
+    caption(unsafe ? words::notSafe : state);
+    if (unsafe) {
+        layout.item("not safe");
+        if (ImGui::IsItemHovered()) {
+            ImGui::SetTooltip("%s", notWritten(Owned::unsavedLevel, *unsafe).c_str());
+        }
+    }
     ImGui::PopFont();
     layout.endCard();
 }
@@ -143,18 +151,13 @@ void drawToolColumn(EditParts& parts, CommandSet const& commands, std::optional<
     layout.endCard();
 }
 
-void stepField(Layout& layout, char const* name, char const* item, double& value, double low, double high,
-               char const* format) {
+void stepField(EditParts& parts, char const* name, char const* item, double& value, double low, double high,
+               char const* unit) {
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(name);
     ImGui::SameLine(0, scaled(5));
     ImGui::SetNextItemWidth(scaled(74));
-    ImGui::DragScalar((std::string("##") + item).c_str(), ImGuiDataType_Double, &value,
-                      static_cast<float>(0.01 * value), &low, &high, format, ImGuiSliderFlags_AlwaysClamp);
-    layout.item(item);
-    if (ImGui::IsItemHovered()) {
-        ImGui::SetTooltip("%s", words::numberTip);
-    }
+    static_cast<void>(numberField(parts, item, value, low, high, unit));
     ImGui::SameLine(0, scaled(10));
 }
 
@@ -168,24 +171,16 @@ void drawStatus(EditParts& parts) {
         ImGui::SetTooltip("%s", withKey(words::snapTip, "edit-snap", parts.context.keys).c_str());
     }
     ImGui::SameLine(0, scaled(6));
-    stepField(layout, words::gridStep, "grid step", snapping.grid, Snapping::smallestGrid,
-              Snapping::largestGrid, "%.3g m");
-    stepField(layout, words::angleStep, "angle step", snapping.angleDegrees, Snapping::smallestAngle,
-              Snapping::largestAngle, "%.3g°");
+    stepField(parts, words::gridStep, "grid step", snapping.grid, Snapping::smallestGrid,
+              Snapping::largestGrid, "m");
+    stepField(parts, words::angleStep, "angle step", snapping.angleDegrees, Snapping::smallestAngle,
+              Snapping::largestAngle, "°");
     if (parts.tool == Tool::joint) {
         ImGui::SetNextItemWidth(scaled(110));
-        if (ImGui::BeginCombo("##form", text(parts.jointForm))) {
-            for (std::string_view const form : choiceNames<JointForm>) {
-                if (ImGui::Selectable(text(form), form == parts.jointForm)) {
-                    parts.jointForm = form;
-                }
-                layout.item("form " + std::string(form));
-            }
-            ImGui::EndCombo();
-        }
-        layout.item("joint form");
+        std::vector<std::string> const forms{choiceNames<JointForm>.begin(), choiceNames<JointForm>.end()};
+        static_cast<void>(choiceField(parts, "joint form", parts.jointForm, forms, shownChoice));
     } else if (parts.tool == Tool::capsule) {
-        stepField(layout, words::radius, "capsule radius", parts.capsuleRadius, 0.005, 10, "%.3g m");
+        stepField(parts, words::radius, "capsule radius", parts.capsuleRadius, 0.005, 10, "m");
         ImGui::NewLine();
         ImGui::SameLine();
     } else {

@@ -10,8 +10,10 @@
 #include "render/panels/check_box.hpp"
 #include "render/panels/theme.hpp"
 #include "runtime/level/model/detail_levels.hpp"
+#include "runtime/level/model/tool_count.hpp"
 
 #include <algorithm>
+#include <optional>
 
 namespace trembler::ui {
 namespace {
@@ -70,13 +72,45 @@ void drawTexts(EditParts& parts) {
 /// Of the number of wires, with an entry for it and without: a drag from 0 makes the entry and continues.
 constexpr char const* wiresId = "wires";
 
+bool isUnlimited(Json const& tool, char const* key) {
+    return tool.contains(key) && tool[key] == unlimitedWord;
+}
+
+/// A count from `least`, with a button that makes it unlimited, or a number again; `beside` is the width of
+/// the buttons that follow in pixels. Returns the new count.
+std::optional<int> countField(EditParts& parts, std::string const& item, double count, double least,
+                              bool unlimited, float beside) {
+    float const gap = scaled(3);
+    float const sign = ImGui::CalcTextSize("∞").x + 2 * ImGui::GetStyle().FramePadding.x;
+    float const width = ImGui::GetContentRegionAvail().x - beside - sign - gap;
+    std::optional<int> wanted;
+    if (unlimited) {
+        ImGui::AlignTextToFramePadding();
+        ImVec2 const at = ImGui::GetCursorPos();
+        ImGui::TextUnformatted(words::anyNumber);
+        ImGui::SetCursorPos({at.x + width, at.y});
+        ImGui::Dummy({0, ImGui::GetFrameHeight()});
+    } else {
+        ImGui::SetNextItemWidth(width);
+        if (numberField(parts, item, count, least, 1000, "", true)) {
+            wanted = static_cast<int>(count);
+        }
+    }
+    ImGui::SameLine(0, gap);
+    if (smallButton(parts, "∞", item + " unlimited", unlimited ? words::limitedTip : words::unlimitedTip)) {
+        // A change of its own: it does not go on with that of the field that was used before.
+        parts.widget = {parts.document.newGesture(), edit::Gesture::Next::replaces};
+        wanted = unlimited ? 1 : unlimitedCount;
+    }
+    return wanted;
+}
+
 /// How many wires the player may lay; `beside` is the width of the buttons that follow in pixels.
-void drawWires(EditParts& parts, double count, float beside) {
+void drawWires(EditParts& parts, double count, bool unlimited, float beside) {
     fieldName(words::wiresField, words::wiresTip);
-    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - beside);
-    if (numberField(parts, "wires", count, 0, 1000, "", true)) {
+    if (auto const wanted = countField(parts, "wires", count, 0, unlimited, beside)) {
         runWidget(
-            parts, [&](Json const& level) { return edit::setWires(level, static_cast<int>(count)); }, true);
+            parts, [&](Json const& level) { return edit::setWires(level, *wanted); }, true);
     }
 }
 
@@ -87,18 +121,15 @@ double numberAt(Json const& tool, char const* key, double otherwise) {
 /// A part, or the wires, with the number of them; `beside` is the width of the buttons that follow in pixels.
 void drawTool(EditParts& parts, Json const& tool, std::size_t index, float beside) {
     if (tool.contains("wire")) {
-        return drawWires(parts, numberAt(tool, "wire", 0), beside);
+        return drawWires(parts, numberAt(tool, "wire", 0), isUnlimited(tool, "wire"), beside);
     }
     std::string const item = "tool " + std::to_string(index);
     std::string const part = textAt(tool, "part");
-    double count = numberAt(tool, "count", 1);
     fieldName(parts.catalog().titleOf(part), part);
-    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - beside);
-    if (numberField(parts, item, count, 1, 1000, "", true)) {
+    if (auto const wanted =
+            countField(parts, item, numberAt(tool, "count", 1), 1, isUnlimited(tool, "count"), beside)) {
         runWidget(
-            parts,
-            [&](Json const& level) { return edit::setToolCount(level, index, static_cast<int>(count)); },
-            true);
+            parts, [&](Json const& level) { return edit::setToolCount(level, index, *wanted); }, true);
     }
 }
 
@@ -129,7 +160,7 @@ void drawToolboxRows(EditParts& parts) {
     }
     if (!wires) {
         ImGui::PushID(wiresId);
-        drawWires(parts, 0, 0);
+        drawWires(parts, 0, false, 0);
         ImGui::PopID();
     }
     std::string chosen;

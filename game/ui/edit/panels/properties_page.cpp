@@ -5,6 +5,7 @@
 #include "game/ui/edit/panels/side_panel.hpp"
 #include "game/ui/edit/view/edit_geometry.hpp"
 #include "game/ui/shared/texts.hpp"
+#include "physics/dynamics/properties/body.hpp"
 #include "physics/dynamics/properties/joint.hpp"
 #include "puzzle/edit/commands/connect.hpp"
 #include "puzzle/edit/commands/contents.hpp"
@@ -94,27 +95,58 @@ void drawPieceChoice(EditParts& parts, std::vector<edit::InspectedPiece> const& 
 
 void drawAddProperty(EditParts& parts) {
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
-    if (!ImGui::BeginCombo("##add", words::addProperty)) {
-        parts.context.layout.item("add property");
+    std::vector<edit::AddableProperty> addable;
+    auto const entries = [&] {
+        addable =
+            edit::addableProperties(*parts.data, parts.tree(), parts.selected(), parts.selection.piece());
+        std::sort(addable.begin(), addable.end(), [](auto const& one, auto const& other) {
+            return std::string_view(text(one.name)) < std::string_view(text(other.name));
+        });
+        std::vector<DropDown::Entry> all;
+        for (edit::AddableProperty const& property : addable) {
+            all.push_back({text(property.name), " = " + std::string(property.key), text(property.help)});
+        }
+        return all;
+    };
+    if (auto const chosen = parts.dropDown.draw(parts, "add property", words::addProperty, entries)) {
+        runWidget(
+            parts,
+            [&](Json const& level) {
+                return edit::addProperty(*parts.data, level, parts.selected(), addable[*chosen].key,
+                                         parts.selection.piece());
+            },
+            false);
+    }
+}
+
+/// Whether the objects stay where they are, which is asked more often than anything else about them.
+void drawFixed(EditParts& parts, std::vector<edit::InspectedProperty> const& properties) {
+    std::string const key(propertyInfo<Fixed>().text.key);
+    auto const found = std::find_if(properties.begin(), properties.end(),
+                                    [&](edit::InspectedProperty const& one) { return one.key == key; });
+    bool const listed = found != properties.end();
+    bool const mixed = listed && found->origin == edit::ValueOrigin::mixed;
+    bool on = listed && !mixed && found->origin != edit::ValueOrigin::removed;
+    bool const was = on;
+    std::string const name(propertyInfo<Fixed>().text.name);
+    std::string const help(propertyInfo<Fixed>().text.meaning);
+    fieldName(text(name), text(help) + (mixed ? std::string("\n") + words::severalValues : std::string()));
+    bool const changed = render::checkBox("##object fixed", &on);
+    parts.context.layout.item("object fixed");
+    if (!changed) {
         return;
     }
-    for (edit::AddableProperty const& property :
-         edit::addableProperties(*parts.data, parts.tree(), parts.selected(), parts.selection.piece())) {
-        if (ImGui::Selectable(text(property.name))) {
-            runWidget(
-                parts,
-                [&](Json const& level) {
-                    return edit::addProperty(*parts.data, level, parts.selected(), property.key,
-                                             parts.selection.piece());
-                },
-                false);
-        }
-        parts.context.layout.item("add " + property.key);
-        if (ImGui::IsItemHovered()) {
-            ImGui::SetTooltip("%s", text(property.help));
-        }
-    }
-    ImGui::EndCombo();
+    std::string const piece = parts.selection.piece();
+    runWidget(
+        parts,
+        [&](Json const& level) {
+            if (was) {
+                return edit::removeProperty(*parts.data, level, parts.selected(), key, piece);
+            }
+            return listed && !mixed ? edit::resetProperty(*parts.data, level, parts.selected(), key, piece)
+                                    : edit::addProperty(*parts.data, level, parts.selected(), key, piece);
+        },
+        false);
 }
 
 /// Of many objects these take long to gather, so while they are dragged those from before the drag are shown.
@@ -142,6 +174,8 @@ void drawObjectProperties(EditParts& parts) {
     auto const pieces = inspectedSelection(parts).pieces;
     drawPieceChoice(parts, pieces);
     auto const properties = inspectedSelection(parts).properties;
+    drawFixed(parts, properties);
+    drawAddProperty(parts);
     edit::InspectedProperty const* scripts = nullptr;
     for (edit::InspectedProperty const& property : properties) {
         if (property.key == "scripts" && parts.data->scripts != nullptr) {
@@ -151,7 +185,6 @@ void drawObjectProperties(EditParts& parts) {
         }
     }
     drawScripts(parts, scripts);
-    drawAddProperty(parts);
 }
 
 void drawJoint(EditParts& parts) {

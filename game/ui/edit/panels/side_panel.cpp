@@ -1,6 +1,7 @@
 #include "game/ui/edit/panels/side_panel.hpp"
 
 #include "game/ui/edit/edit_words.hpp"
+#include "game/ui/edit/keys_owner.hpp"
 #include "game/ui/edit/panels/bars.hpp"
 #include "game/ui/edit/panels/tool_icons.hpp"
 #include "game/ui/edit/study/study_words.hpp"
@@ -90,10 +91,11 @@ void drawTabs(EditParts& parts, CommandSet const& commands) {
     }
 }
 
-/// While the panel has the keyboard, ImGui moves its own ring among the widgets.
+/// While the panel has the keyboard, or a menu is open, ImGui moves its own ring among the widgets. A list
+/// that drops down moves its own mark.
 void passKeyboard(EditParts const& parts) {
     ImGuiIO& io = ImGui::GetIO();
-    if (parts.panelKeys) {
+    if ((parts.panelKeys || KeysOwner::popup()) && !parts.dropDown.open()) {
         io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
     } else {
         io.ConfigFlags &= ~ImGuiConfigFlags_NavEnableKeyboard;

@@ -1,4 +1,5 @@
 #include "game/ui/edit/commands/edit_actions.hpp"
+#include "game/ui/edit/fields/number_field.hpp"
 #include "game/ui/edit/fields/page_elements.hpp"
 #include "game/ui/edit/panels/side_panel.hpp"
 #include "game/ui/edit/study/level_studies.hpp"
@@ -30,14 +31,7 @@ void drawRequest(EditParts& parts) {
         ImGui::TextUnformatted(name);
         ImGui::SameLine(column);
         ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
-        ImGui::DragScalar((std::string("##") + item).c_str(), ImGuiDataType_Double, &value,
-                          static_cast<float>(std::max(1.0, 0.01 * value)), &low, &high, "%.0f",
-                          ImGuiSliderFlags_AlwaysClamp);
-        value = std::round(value);
-        parts.context.layout.item(item);
-        if (ImGui::IsItemHovered()) {
-            ImGui::SetTooltip("%s", words::numberTip);
-        }
+        static_cast<void>(numberField(parts, item, value, low, high, "", true));
     };
     whole(words::runsField, "search runs", request.runs, 1, mostRuns);
     whole(words::seedField, "search seed", request.seed, 0, mostSeed);

@@ -12,7 +12,8 @@
 namespace trembler::ui {
 namespace {
 
-constexpr double knobReach = 12; // pixels at UI scale 1
+constexpr double knobReach = 12;  // pixels at UI scale 1
+constexpr double cornerReach = 7; // pixels at UI scale 1: the knobs that scale are near
 
 bool nearTo(EditParts const& parts, Vec2 place) {
     return length(parts.pointer.world - place) < knobReach * parts.pointer.pixel;
@@ -51,7 +52,7 @@ bool EditMouse::cancel(EditParts& parts) {
     gesture_ = {};
     corners_.clear();
     refused_.clear();
-    return something;
+    return join_.cancel() || something;
 }
 
 void EditMouse::look(EditParts& parts) {
@@ -72,6 +73,8 @@ void EditMouse::look(EditParts& parts) {
     if (pointer.rightClicked && !pointer.overCard) { // lets go, as Esc does
         if (!corners_.empty()) {
             corners_.clear();
+        } else if (join_.cancel()) {
+            doing_ = Doing::nothing;
         } else if (!parts.partInHand.empty()) {
             parts.partInHand.clear();
         } else {
@@ -101,6 +104,14 @@ bool EditMouse::pressHandle(EditParts& parts) {
                 beginGesture(parts, Doing::jointMoving);
                 return true;
             }
+        }
+    }
+    std::vector<Vec2> const corners = shapeCorners(parts);
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        if (length(parts.pointer.world - corners[i]) < cornerReach * parts.pointer.pixel) {
+            handle_ = i;
+            beginGesture(parts, Doing::shapeCorner);
+            return true;
         }
     }
     handles_ = handlesOf(parts);
@@ -214,8 +225,7 @@ void EditMouse::press(EditParts& parts) {
         return clickCorner(parts);
     case Tool::joint:
     case Tool::wire:
-        from_ = pickObject(parts, parts.pointer.world);
-        doing_ = from_.empty() ? Doing::nothing : Doing::connecting;
+        doing_ = join_.press(parts) ? Doing::connecting : Doing::nothing;
         return;
     default:
         if (!corners_.empty()) { // an area, clicked corner by corner
@@ -228,6 +238,10 @@ void EditMouse::press(EditParts& parts) {
 void EditMouse::update(EditParts& parts) {
     Pointer const& pointer = parts.pointer;
     hovered_ = pointer.overCard || !pointer.inside ? "" : pickObject(parts, pointer.world);
+    if (std::exchange(tool_, parts.tool) != parts.tool) { // what was begun with another one is given up
+        cancel(parts);
+    }
+    join_.look(parts);
     bool const writable = !parts.document.readOnly();
     if (pointer.pressed && !pointer.overCard && !tookPart_) {
         parts.panelKeys = false;

@@ -2,7 +2,9 @@
 #pragma once
 
 #include "game/ui/edit/edit_parts.hpp"
+#include "game/ui/edit/tools/join_tool.hpp"
 #include "game/ui/edit/view/edit_geometry.hpp"
+#include "puzzle/edit/tree/grid_features.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -21,9 +23,10 @@ public:
         moving,
         turning,
         scaling,
-        boxing,     ///< selecting with a box
-        drawing,    ///< a shape or an area, from start() to the mouse
-        connecting, ///< a joint or a wire, from an object
+        boxing,      ///< selecting with a box
+        drawing,     ///< a shape or an area, from start() to the mouse
+        connecting,  ///< a joint or a wire, from an object
+        shapeCorner, ///< of the polygon that is selected
         areaCorner,
         areaMoving,
         jointMoving,
@@ -41,10 +44,11 @@ public:
     [[nodiscard]] Vec2 start() const { return start_; }
     /// The clicked corners of a polygon.
     [[nodiscard]] std::vector<Vec2> const& corners() const { return corners_; }
-    /// The object from which a joint or a wire is dragged.
-    [[nodiscard]] std::string const& from() const { return from_; }
+    [[nodiscard]] JoinTool const& join() const { return join_; }
     /// The object under the mouse; "" if there is none.
     [[nodiscard]] std::string const& hovered() const { return hovered_; }
+    /// Where the dragged object is, m.
+    [[nodiscard]] Vec2 movedTo() const { return anchor_ + moved_; }
     /// Why the present drag cannot be, in words; empty if it can.
     [[nodiscard]] std::string const& refused() const { return refused_; }
 
@@ -57,12 +61,13 @@ private:
     void drag(EditParts& parts);
     void release(EditParts& parts);
     void releaseDrawing(EditParts& parts);
-    void releaseConnecting(EditParts& parts);
     void look(EditParts& parts);
     void beginGesture(EditParts& parts, Doing doing);
     /// Runs a command made from the tree before the gesture, in its place.
     void change(EditParts& parts, std::function<edit::Command(edit::Json const&)> const& make);
     [[nodiscard]] Vec2 snapped(EditParts const& parts, Vec2 at) const;
+    /// The way by which objects go that are dragged by `way`, m.
+    [[nodiscard]] Vec2 wayOnGrid(EditParts const& parts, Vec2 way) const;
 
     Doing doing_ = Doing::nothing;
     Vec2 start_;
@@ -72,13 +77,16 @@ private:
     SceneArea area_;
     JointPoint joint_;
     std::vector<Vec2> corners_;
-    std::string from_;
+    JoinTool join_;
+    Tool tool_ = Tool::select; // in the last picture
     std::string hovered_;
     std::string refused_;
-    std::string clicked_;       // the object that was pressed
-    bool pressedTwice_ = false; // the second press of a double click
-    Vec2 anchor_;               // of the object that is dragged, m
-    edit::Json before_;         // the tree before the gesture
+    std::string clicked_;         // the object that was pressed
+    bool pressedTwice_ = false;   // the second press of a double click
+    Vec2 anchor_;                 // of the object that is dragged, m
+    edit::GridFeatures features_; // of the dragged objects before the drag
+    Vec2 moved_;                  // by which they are moved, m
+    edit::Json before_;           // the tree before the gesture
     edit::Gesture gesture_;
     std::size_t stepsBefore_ = 0;
     bool tookPart_ = false;

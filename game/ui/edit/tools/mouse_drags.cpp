@@ -6,9 +6,11 @@
 #include "puzzle/edit/commands/editor_state.hpp"
 #include "puzzle/edit/commands/goals.hpp"
 #include "puzzle/edit/commands/shapes.hpp"
+#include "puzzle/edit/tree/grid_features.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -30,28 +32,55 @@ double factorOf(double from, double to, double fixed) {
     return std::abs(before) < 1e-9 ? 1 : std::max((to - fixed) / before, smallestFactor);
 }
 
-Scaling scalingTo(SelectionHandles const& handles, std::size_t handle, Vec2 to) {
+/// The factor nearest to `factor` that takes an edge of the box, across or up, to the grid.
+double factorOnGrid(Snapping const& snapping, Vec2 from, Vec2 fixed, double factor) {
+    double best = factor;
+    double least = std::numeric_limits<double>::infinity();
+    auto const consider = [&](double edge, double other) {
+        double const snapped = factorOf(edge, snapping.along(other + factor * (edge - other)), other);
+        if (std::abs(edge - other) > 1e-9 && std::abs(snapped - factor) < least) {
+            least = std::abs(snapped - factor);
+            best = snapped;
+        }
+    };
+    consider(from.x, fixed.x);
+    consider(from.y, fixed.y);
+    return best;
+}
+
+/// `snapping`: nullptr for none.
+Scaling scalingTo(SelectionHandles const& handles, std::size_t handle, Vec2 to, Snapping const* snapping) {
     Vec2 const from = handles.edges[handle];
     Vec2 const middle = handles.middle();
     Vec2 const fixed = 2 * middle - from; // the handle on the other side
     Scaling scaling{{1, 1}, fixed};
+    Vec2 const end = snapping == nullptr ? to : snapping->place(to);
     if (handle < 4) { // both directions alike: no shape is distorted by a corner
         double const before = length(from - fixed);
         double const along =
             before > 0 ? ((to.x - fixed.x) * (from.x - fixed.x) + (to.y - fixed.y) * (from.y - fixed.y)) /
                              (before * before)
                        : 1;
-        double const factor = std::max(along, smallestFactor);
+        double const raw = std::max(along, smallestFactor);
+        double const factor = snapping == nullptr ? raw : factorOnGrid(*snapping, from, fixed, raw);
         scaling.factors = {factor, factor};
     } else if (handle < 6) {
-        scaling.factors.x = factorOf(from.x, to.x, fixed.x);
+        scaling.factors.x = factorOf(from.x, end.x, fixed.x);
     } else {
-        scaling.factors.y = factorOf(from.y, to.y, fixed.y);
+        scaling.factors.y = factorOf(from.y, end.y, fixed.y);
     }
     return scaling;
 }
 
 } // namespace
+
+Vec2 EditMouse::wayOnGrid(EditParts const& parts, Vec2 way) const {
+    if (parts.pointer.free || !parts.snapping.on) {
+        return way;
+    }
+    double const step = parts.snapping.grid;
+    return {edit::wayOnGrid(features_.x, way.x, step), edit::wayOnGrid(features_.y, way.y, step)};
+}
 
 void EditMouse::drag(EditParts& parts) {
     Pointer const& pointer = parts.pointer;
@@ -62,11 +91,12 @@ void EditMouse::drag(EditParts& parts) {
             return;
         }
         doing_ = Doing::moving;
+        features_ = edit::gridFeatures(*parts.data, before_, edit::unlocked(before_, parts.selected()));
         [[fallthrough]];
     case Doing::moving: {
-        Vec2 const by = snapped(parts, anchor_ + pointer.world - start_) - anchor_;
+        moved_ = wayOnGrid(parts, pointer.world - start_);
         return change(parts, [&](Json const& level) {
-            return edit::moveObjects(*parts.data, level, parts.selected(), by);
+            return edit::moveObjects(*parts.data, level, parts.selected(), moved_);
         });
     }
     case Doing::turning: {
@@ -81,11 +111,21 @@ void EditMouse::drag(EditParts& parts) {
     }
     case Doing::scaling: {
         Vec2 const gap = handles_->scaling[handle_] - handles_->edges[handle_];
-        Scaling const scaling = scalingTo(*handles_, handle_, snapped(parts, pointer.world - gap));
+        bool const grid = parts.snapping.on && !pointer.free;
+        Scaling const scaling =
+            scalingTo(*handles_, handle_, pointer.world - gap, grid ? &parts.snapping : nullptr);
         return change(parts, [&](Json const& level) {
             return edit::scaleObjects(*parts.data, level, parts.selected(), scaling.factors, scaling.centre);
         });
     }
+    case Doing::shapeCorner:
+        if (!moved) {
+            return;
+        }
+        return change(parts, [&](Json const& level) {
+            return edit::moveCorner(*parts.data, level, parts.selected().front(), handle_,
+                                    snapped(parts, pointer.world));
+        });
     case Doing::areaCorner:
     case Doing::areaMoving: {
         if (!moved) {
@@ -138,21 +178,6 @@ void EditMouse::releaseDrawing(EditParts& parts) {
     });
 }
 
-void EditMouse::releaseConnecting(EditParts& parts) {
-    std::string const to = pickObject(parts, parts.pointer.world);
-    bool const same = to == from_;
-    if (parts.tool == Tool::wire) {
-        if (!to.empty() && !same) {
-            actions::connectObjects(parts, from_, to);
-        }
-        return;
-    }
-    bool const clicked = parts.pointer.strayed(pressedAt_) <= dragThreshold;
-    // On the object itself, or on the paper: to the world.
-    Vec2 const end = snapped(parts, parts.pointer.world);
-    actions::joinObjects(parts, from_, same ? "" : to, clicked ? end : start_, end);
-}
-
 void EditMouse::release(EditParts& parts) {
     switch (std::exchange(doing_, Doing::nothing)) {
     case Doing::pressing: // a click without a drag
@@ -186,7 +211,7 @@ void EditMouse::release(EditParts& parts) {
         releaseDrawing(parts);
         break;
     case Doing::connecting:
-        releaseConnecting(parts);
+        join_.release(parts);
         break;
     default:
         break;

@@ -1,6 +1,8 @@
 #include "game/ui/edit/view/edit_drawing.hpp"
 
 #include "game/ui/edit/study/place_map_view.hpp"
+#include "game/ui/edit/view/join_drawing.hpp"
+#include "game/ui/edit/view/outlines.hpp"
 #include "game/ui/shared/scene_words.hpp"
 #include "puzzle/edit/commands/connect.hpp"
 #include "puzzle/edit/commands/editor_state.hpp"
@@ -37,37 +39,6 @@ void drawGrid(Canvas& canvas, EditParts const& parts) {
     }
 }
 
-void outline(Canvas& canvas, std::vector<Point> corners, Stroke const& stroke) {
-    if (!corners.empty()) {
-        corners.push_back(corners.front());
-        canvas.polyline(corners, stroke);
-    }
-}
-
-void outlineObject(Canvas& canvas, Facts const& facts, Pose const& pose, Stroke const& stroke) {
-    if (facts.shape == nullptr) {
-        canvas.ring(pose.at, innerSize(facts) + canvas.metres(4), stroke);
-        return;
-    }
-    for (ShapePiece const& piece : facts.shape->pieces) {
-        std::vector<Point> corners = outlineOf(piece);
-        for (Point& corner : corners) {
-            corner = toWorld(pose, corner);
-        }
-        outline(canvas, corners, stroke);
-    }
-}
-
-/// An outline around an object; of a composite part, around each of its pieces.
-void drawMarkOf(Canvas& canvas, EditParts const& parts, FactsReader const& reader, std::string const& name,
-                Stroke const& stroke) {
-    for (ObjectId const id : parts.world.objectsOf(name)) {
-        if (Facts const facts = reader.of(id); facts.visible()) {
-            outlineObject(canvas, facts, poseOf(facts), stroke);
-        }
-    }
-}
-
 void drawKnob(Canvas& canvas, Vec2 at, bool round, bool near) {
     Style const style{.tint = near ? palette::accent : palette::paperLight,
                       .outline = 2.F,
@@ -91,11 +62,11 @@ void drawSelection(Canvas& canvas, EditParts const& parts, EditMouse const& mous
         Stroke const whole{
             .colour = locked ? palette::inkSoft : palette::accent, .pixels = 3, .alpha = 0.95F};
         if (piece.empty()) {
-            drawMarkOf(canvas, parts, reader, name, whole);
+            outlineEntry(canvas, parts, reader, name, whole);
             continue;
         }
         // The objects faintly: they are moved, but the panel is about the piece.
-        drawMarkOf(canvas, parts, reader, name, {.colour = whole.colour, .pixels = 1.5F, .alpha = 0.45F});
+        outlineEntry(canvas, parts, reader, name, {.colour = whole.colour, .pixels = 1.5F, .alpha = 0.45F});
         ObjectId const id = parts.world.world()->store().find(name + " " + piece);
         if (id.valid() && reader.of(id).visible()) {
             outlineObject(canvas, reader.of(id), poseOf(reader.of(id)), whole);
@@ -115,6 +86,13 @@ void drawSelection(Canvas& canvas, EditParts const& parts, EditMouse const& mous
     drawKnob(canvas, handles->turn, true, near(handles->turn));
     for (Vec2 const at : handles->scaling) {
         drawKnob(canvas, at, false, near(at));
+    }
+    for (Vec2 const at : shapeCorners(parts)) { // smaller, as there may be many
+        bool const under = trembler::length(parts.pointer.world - at) < 7 * parts.pointer.pixel;
+        canvas.circle({toPoint(at), 0}, canvas.metres(4.5),
+                      {.tint = under ? palette::accent : palette::paperLight,
+                       .outline = 2.F,
+                       .outlineColour = palette::goal});
     }
 }
 
@@ -165,12 +143,6 @@ void drawPreview(Canvas& canvas, EditParts& parts, EditMouse const& mouse) {
     std::vector<Point> const box{toPoint(from), {to.x, from.y}, toPoint(to), {from.x, to.y}};
     if (mouse.doing() == Doing::boxing) {
         outline(canvas, box, {.colour = palette::accent, .pixels = 1.5F, .alpha = 0.8F});
-    } else if (mouse.doing() == Doing::connecting) {
-        canvas.line(toPoint(from), toPoint(to), stroke);
-        canvas.circle({toPoint(from), 0}, canvas.metres(5), {.tint = palette::accent});
-        if (!mouse.hovered().empty()) {
-            drawMarkOf(canvas, parts, FactsReader(*parts.world.world()), mouse.hovered(), stroke);
-        }
     } else if (mouse.doing() == Doing::drawing) {
         if (parts.tool == Tool::disc) {
             canvas.ring(toPoint(from), trembler::length(to - from), stroke);
@@ -203,7 +175,7 @@ void drawPreview(Canvas& canvas, EditParts& parts, EditMouse const& mouse) {
 void drawNumbers(EditParts const& parts, EditMouse const& mouse) {
     using Doing = EditMouse::Doing;
     if (mouse.doing() == Doing::nothing || mouse.doing() == Doing::pressing ||
-        mouse.doing() == Doing::boxing) {
+        mouse.doing() == Doing::boxing || mouse.doing() == Doing::connecting) {
         return;
     }
     std::array<char, 80> text{};
@@ -212,7 +184,8 @@ void drawNumbers(EditParts const& parts, EditMouse const& mouse) {
         std::snprintf(text.data(), text.size(), "%.3g × %.3g m", std::abs(at.x - mouse.start().x),
                       std::abs(at.y - mouse.start().y));
     } else {
-        std::snprintf(text.data(), text.size(), "%.3f, %.3f m", at.x, at.y);
+        Vec2 const place = mouse.doing() == Doing::moving ? mouse.movedTo() : at;
+        std::snprintf(text.data(), text.size(), "%.3f, %.3f m", place.x, place.y);
     }
     std::string const shown = mouse.refused().empty() ? std::string(text.data()) : mouse.refused();
     worldLabel(parts.camera(), toPoint(parts.pointer.world), shown.c_str(),
@@ -253,6 +226,7 @@ void drawEditedScene(EditParts& parts, EditMouse const& mouse) {
         drawLinks(canvas, parts);
         drawPlaceMap(parts, canvas);
         drawSelection(canvas, parts, mouse);
+        drawJoining(canvas, parts, mouse.join());
         drawPreview(canvas, parts, mouse);
     }
     canvas.end();
@@ -260,6 +234,7 @@ void drawEditedScene(EditParts& parts, EditMouse const& mouse) {
         drawSceneWords(parts.camera(), *world, parts.scene, 1, parts.names);
     }
     drawNumbers(parts, mouse);
+    drawJoiningWords(parts, mouse.join());
 }
 
 } // namespace trembler::ui

@@ -5,6 +5,7 @@
 #include "puzzle/edit/commands/editor_state.hpp"
 #include "puzzle/edit/commands/goals.hpp"
 #include "puzzle/edit/commands/objects.hpp"
+#include "puzzle/edit/commands/shapes.hpp"
 #include "puzzle/edit/tree/extent.hpp"
 #include "puzzle/edit/tree/part_statements.hpp"
 #include "puzzle/edit/tree/tree_access.hpp"
@@ -48,20 +49,14 @@ std::optional<Area> areaFrom(edit::Json const& value) {
     return area;
 }
 
-/// An object of the world and the name of its entry; invalid and empty for none.
-struct Picked {
-    ObjectId object;
-    std::string entry;
-};
-
-/// The topmost object under a point that is not locked.
-Picked pickTopmost(EditParts const& parts, Vec2 at) {
+/// The topmost object under a point, with or without locked ones; invalid if there is none.
+ObjectId topmost(EditParts const& parts, Vec2 at, bool locked) {
     World const* const world = parts.world.world();
     if (world == nullptr) {
         return {};
     }
     double const reach = sceneReach * parts.pointer.pixel;
-    Picked nearest;
+    ObjectId nearest;
     double best = reach;
     auto const order = FactsReader(*world).drawOrder();
     for (auto facts = order.rbegin(); facts != order.rend(); ++facts) {
@@ -70,18 +65,23 @@ Picked pickTopmost(EditParts const& parts, Vec2 at) {
             continue;
         }
         std::string const& entry = parts.world.entryOf(facts->id);
-        if (entry.empty() || edit::isLocked(parts.tree(), entry)) {
+        if (entry.empty() || (!locked && edit::isLocked(parts.tree(), entry))) {
             continue;
         }
         if (distance <= 0) {
-            return {facts->id, entry};
+            return facts->id;
         }
         if (distance < best) {
             best = distance;
-            nearest = {facts->id, entry};
+            nearest = facts->id;
         }
     }
     return nearest;
+}
+
+/// The name of its entry; "" for none.
+std::string entryAt(EditParts const& parts, ObjectId object) {
+    return object.valid() ? parts.world.entryOf(object) : std::string();
 }
 
 AboutSelection const& aboutSelection(EditParts const& parts) {
@@ -89,11 +89,14 @@ AboutSelection const& aboutSelection(EditParts const& parts) {
     if (about.known && about.revision == parts.document.revision() && about.names == parts.selected()) {
         return about;
     }
-    about = {parts.document.revision(), parts.selected(), {}, false, false, true};
+    about = {parts.document.revision(), parts.selected(), {}, {}, false, false, true};
     auto const names = edit::unlocked(parts.tree(), parts.selected());
     if (!names.empty()) {
         about.box = edit::extentOfObjects(*parts.data, parts.tree(), names);
         about.scales = edit::mayScale(*parts.data, parts.tree(), names, {1.1, 1.1});
+        if (names.size() == 1) {
+            about.corners = edit::outlineCorners(*parts.data, parts.tree(), names.front());
+        }
         about.stretches = about.scales && edit::mayScale(*parts.data, parts.tree(), names, {1.1, 1});
     }
     return about;
@@ -102,19 +105,23 @@ AboutSelection const& aboutSelection(EditParts const& parts) {
 } // namespace
 
 std::string pickObject(EditParts const& parts, Vec2 at) {
-    return pickTopmost(parts, at).entry;
+    return entryAt(parts, topmost(parts, at, false));
+}
+
+ObjectId pickTopmost(EditParts const& parts, Vec2 at) {
+    return topmost(parts, at, true);
 }
 
 std::string pickPiece(EditParts const& parts, std::string const& entry, Vec2 at) {
-    Picked const picked = pickTopmost(parts, at);
-    if (picked.entry != entry || entry.empty()) {
+    ObjectId const picked = topmost(parts, at, false);
+    if (entry.empty() || entryAt(parts, picked) != entry) {
         return {};
     }
     edit::PartStatements ofParts(*parts.data);
     edit::Json const* const stated = edit::findObject(parts.tree(), entry);
     std::string const part = stated == nullptr ? std::string() : edit::textOf(*stated, "part");
     std::vector<edit::PartPiece> const& pieces = ofParts.pieces(part);
-    std::size_t const index = parts.world.pieceOf(picked.object);
+    std::size_t const index = parts.world.pieceOf(picked);
     if (index >= pieces.size()) { // a part of one object
         return {};
     }
@@ -179,6 +186,12 @@ std::optional<SelectionHandles> handlesOf(EditParts const& parts) {
         handles.scaling.push_back(edge + knobGap * parts.pointer.pixel * outwards);
     }
     return handles;
+}
+
+std::vector<Vec2> shapeCorners(EditParts const& parts) {
+    AboutSelection const& about = aboutSelection(parts);
+    bool const one = parts.selected().size() == 1 && parts.selection.piece().empty();
+    return one && about.box && !parts.document.readOnly() ? about.corners : std::vector<Vec2>();
 }
 
 std::vector<SceneArea> sceneAreas(EditParts const& parts) {

@@ -11,6 +11,9 @@ namespace trembler::ui {
 
 /// The topmost object under a point that is not locked; "" if there is none.
 [[nodiscard]] std::string pickObject(EditParts const& parts, Vec2 at);
+/// The topmost object of the edited world under a point, a piece of a composite part by itself, locked or
+/// not; invalid if there is none.
+[[nodiscard]] ObjectId pickTopmost(EditParts const& parts, Vec2 at);
 /// The piece under a point of an object that is made from a composite part, as "pieces" of its entry states
 /// it; "" for its main piece, if that entry says nothing else about it, and where no piece of it is.
 [[nodiscard]] std::string pickPiece(EditParts const& parts, std::string const& entry, Vec2 at);
@@ -28,6 +31,9 @@ struct SelectionHandles {
     [[nodiscard]] Vec2 middle() const { return box.corner + 0.5 * box.size; }
 };
 [[nodiscard]] std::optional<SelectionHandles> handlesOf(EditParts const& parts);
+
+/// The corners of the selected polygon by which it is changed, m; empty for any other selection.
+[[nodiscard]] std::vector<Vec2> shapeCorners(EditParts const& parts);
 
 /// An area that is seen in the scene.
 struct SceneArea {

@@ -83,31 +83,62 @@ void nudge(PlayParts& parts) {
     place(parts, [&](auto& tool) { tool.nudge({x, y}, parts.context.shiftHeld()); });
 }
 
-/// Takes the next part out of the toolbox, after the one in the hand, `by` entries on; after the last one the
-/// hand is empty.
+/// Takes the next part out of the toolbox, of those that are shown, after the one in the hand, `by` entries
+/// on; after the last one the hand is empty.
 template <int by>
 void takeNext(PlayParts& parts) {
-    auto const slots = parts.session.toolbox();
+    auto const slots = parts.shownTools();
     int const count = static_cast<int>(slots.size());
     auto const& carried = parts.placing.carried();
     int now = by > 0 ? -1 : count;
     for (int i = 0; carried && !carried->number && i < count; ++i) {
         now = slots[static_cast<std::size_t>(i)].part == carried->landing.part ? i : now;
     }
-    parts.placing.cancel();
-    parts.group.reset();
-    parts.wires.reset();
     for (int next = now + by; next >= 0 && next < count; next += by) {
         ToolboxSlot const& slot = slots[static_cast<std::size_t>(next)];
         if (slot.left > 0) {
-            parts.keyPointer.show(parts.pointer, parts.camera());
-            Pointer pointer = parts.pointer;
-            pointer.world = parts.keyPointer.at();
-            parts.placing.take(slot.part, pointer);
-            parts.placing.keepInHand();
+            parts.takeByKey(slot.part);
             return;
         }
     }
+    parts.placing.cancel();
+    parts.group.reset();
+    parts.wires.reset();
+}
+
+bool hasLargeToolbox(PlayParts const& parts) {
+    return parts.run.building() && ToolboxView::large(parts.session.toolbox());
+}
+
+char const* whyNoGroups(PlayParts const& parts) {
+    return parts.run.building() ? words::allInSight : nullptr;
+}
+
+/// The toolbox comes back if a panel has its place, in a small window.
+void showToolbox(PlayParts& parts) {
+    if (parts.context.layout.card("toolbox")) {
+        return;
+    }
+    if (parts.components.open()) {
+        parts.components.toggle();
+    }
+    parts.modsPanel.setOpen(false);
+}
+
+void findPart(PlayParts& parts) {
+    showToolbox(parts);
+    parts.toolbox.askForKeys();
+}
+
+template <int by>
+void nextGroup(PlayParts& parts) {
+    showToolbox(parts);
+    parts.toolbox.chooseNext(ToolboxView::groupsIn(parts.session.toolbox(), parts.catalog()), by);
+}
+
+/// Why a part cannot be turned, mirrored or put back.
+char const* whyNothingAtHand(PlayParts const& parts) {
+    return parts.run.building() ? words::nothingInHand : nullptr;
 }
 
 void duplicate(PlayParts& parts) {
@@ -138,7 +169,8 @@ constexpr Command<PlayParts> buildingTable[] = {
               .help = "turn the part in hand (Shift: 1°)",
               .padPhase = PadPhase::building},
      .run = turn<1>,
-     .available = partAtHand},
+     .available = partAtHand,
+     .whyNot = whyNothingAtHand},
     {.info = {.id = "turn-right",
               .keys = {{{SDLK_e}}},
               .pad = {render::padKey(SDL_CONTROLLER_BUTTON_RIGHTSTICK)},
@@ -150,7 +182,8 @@ constexpr Command<PlayParts> buildingTable[] = {
               .help = "turn the part in hand (Shift: 1°)",
               .padPhase = PadPhase::building},
      .run = turn<-1>,
-     .available = partAtHand},
+     .available = partAtHand,
+     .whyNot = whyNothingAtHand},
     {.info = {.id = "flip",
               .keys = {{{SDLK_v}}},
               .pad = {render::padRightStickUp},
@@ -161,7 +194,8 @@ constexpr Command<PlayParts> buildingTable[] = {
               .help = "mirror the part in hand",
               .padPhase = PadPhase::building},
      .run = [](PlayParts& parts) { place(parts, [](auto& tool) { tool.flip(); }); },
-     .available = [](PlayParts const& parts) { return partAtHand(parts) && parts.run.building(); }},
+     .available = [](PlayParts const& parts) { return partAtHand(parts) && parts.run.building(); },
+     .whyNot = whyNothingAtHand},
     {.info = {.id = "move-left",
               .keys = {{{SDLK_LEFT}}},
               .pad = {render::padKey(SDL_CONTROLLER_BUTTON_DPAD_LEFT)},
@@ -208,7 +242,8 @@ constexpr Command<PlayParts> buildingTable[] = {
               .help = "put the part back",
               .padPhase = PadPhase::building},
      .run = putBack,
-     .available = partAtHand},
+     .available = partAtHand,
+     .whyNot = whyNothingAtHand},
     {.info = {.id = "next-part",
               .keys = {{{SDLK_t}}},
               .pad = {render::padRightTrigger},
@@ -229,6 +264,33 @@ constexpr Command<PlayParts> buildingTable[] = {
               .padPhase = PadPhase::building},
      .run = takeNext<-1>,
      .available = isBuilding},
+    {.info = {.id = "find-part",
+              .keys = {{withCtrl(SDLK_f), {SDLK_SLASH}, {SDLK_KP_DIVIDE}}},
+              .group = CommandGroup::building,
+              .name = "Find a part",
+              .tip = "Find a part of a large toolbox by its name; Enter takes the first one",
+              .help = "find a part by its name"},
+     .run = findPart,
+     .available = hasLargeToolbox,
+     .whyNot = whyNoGroups},
+    {.info = {.id = "next-group",
+              .keys = {{{SDLK_s}}},
+              .group = CommandGroup::building,
+              .name = "Next group",
+              .tip = "Show the next group of parts of a large toolbox",
+              .help = "show the next, the previous group of parts"},
+     .run = nextGroup<1>,
+     .available = hasLargeToolbox,
+     .whyNot = whyNoGroups},
+    {.info = {.id = "previous-group",
+              .keys = {{{.key = SDLK_s, .shift = true}}},
+              .group = CommandGroup::building,
+              .name = "Previous group",
+              .tip = "Show the previous group of parts of a large toolbox",
+              .help = "show the next, the previous group of parts"},
+     .run = nextGroup<-1>,
+     .available = hasLargeToolbox,
+     .whyNot = whyNoGroups},
     {.info = {.id = "act",
               .keys = {{{SDLK_RETURN}, {SDLK_KP_ENTER}}},
               .pad = {render::padKey(SDL_CONTROLLER_BUTTON_A)},
@@ -246,7 +308,10 @@ constexpr Command<PlayParts> buildingTable[] = {
               .help = "choose all parts"},
      .run = [](PlayParts& parts) { parts.group.chooseAll(); },
      .available =
-         [](PlayParts const& parts) { return parts.run.building() && !parts.session.placed().empty(); }},
+         [](PlayParts const& parts) { return parts.run.building() && !parts.session.placed().empty(); },
+     .whyNot = [](PlayParts const& parts) -> char const* {
+         return parts.run.building() ? words::allThere : nullptr;
+     }},
     {.info = {.id = "choose-more",
               .keys = {},
               .pad = {render::padRightStickDown},
@@ -269,7 +334,10 @@ constexpr Command<PlayParts> buildingTable[] = {
      .available =
          [](PlayParts const& parts) {
              return partAtHand(parts) && parts.run.building() && !parts.placing.carried();
-         }},
+         },
+     .whyNot = [](PlayParts const& parts) -> char const* {
+         return parts.run.building() ? words::selectFirst : nullptr;
+     }},
 };
 
 } // namespace

@@ -58,17 +58,10 @@ constexpr Command<PlayParts> lookingTable[] = {
               .keys = {{{SDLK_HOME}}},
               .icon = Icon::Fit,
               .group = CommandGroup::looking,
-              .name = "Show everything",
-              .tip = "Show everything",
+              .name = "Fit",
+              .tip = "Fit: show the whole scene, as large as the cards leave room for it",
               .help = "show everything"},
-     .run =
-         [](PlayParts& parts) {
-             if (parts.run.paused() && parts.timeline.shown()) {
-                 parts.timeline.seek(0); // as End shows the present
-             } else {
-                 parts.view.fit();
-             }
-         }},
+     .run = [](PlayParts& parts) { parts.fitWanted = true; }},
     {.info = {.id = "view-left",
               .keys = {{withCtrl(SDLK_LEFT)}},
               .use = KeyUse::repeats,

@@ -18,7 +18,9 @@ void openMenu(PlayParts& parts) {
 }
 
 /// Ends one thing: moving the view by keys, the use of the scissors, the carrying or choice of parts, the
-/// inspector, the computing of a what-if, the what-if. If there is none of these, opens the menu.
+/// inspector, the selection, the computing of a what-if, the what-if, a search in the
+/// toolbox. If there is none of these, opens the
+/// menu.
 void back(PlayParts& parts) {
     if (std::exchange(parts.movesView, false)) {
         return;
@@ -33,12 +35,16 @@ void back(PlayParts& parts) {
         parts.why.stopOrClose();
     } else if (parts.inspector.open()) {
         parts.inspector.close();
+    } else if (parts.run.building() && parts.placing.selected()) {
+        parts.placing.select(std::nullopt);
     } else if (parts.whatIfTool->cutting()) {
         parts.whatIfTool->setCutting(false);
     } else if (parts.whatIf->working() && !parts.whatIf->stopped()) {
         parts.whatIf->stop();
     } else if (parts.whatIf->active()) {
         parts.whatIf->end();
+    } else if (parts.run.building() && !parts.toolbox.sought().empty()) {
+        parts.toolbox.seek({});
     } else {
         parts.request = request::OpenMenu{MenuPage::main};
     }
@@ -72,7 +78,8 @@ constexpr Command<PlayParts> programTable[] = {
               .help = "save a solution"},
      .run =
          [](PlayParts& parts) {
-             saveSolution(parts.session, parts.id, parts.context.solutions, parts.context.toasts);
+             saveSolution(parts.session, parts.id, parts.context.solutions, parts.context.toasts,
+                          parts.context.pending);
          }},
     {.info = {.id = "solutions",
               .icon = Icon::List,

@@ -13,11 +13,10 @@ using render::Icon;
 constexpr double budgetStep = 1.25; // the factor by which a key changes the time budget
 
 void hint(PlayParts& parts) {
-    auto const& hints = parts.session.level().hints;
-    if (hints.empty()) {
+    if (parts.said.hints().empty()) {
         parts.context.toasts.add(words::noHints);
     }
-    parts.hintsShown = std::min(parts.hintsShown + 1, hints.size());
+    parts.showHint();
 }
 
 /// The two panels lie in the same place.
@@ -52,6 +51,13 @@ void cut(PlayParts& parts) {
         parts.group.cancel();
         parts.wires.switchCutting();
     }
+}
+
+char const* whyNoWire(PlayParts const& parts) {
+    if (!hasWire(parts)) {
+        return words::noWires;
+    }
+    return parts.run.building() ? words::noWireLeft : nullptr;
 }
 
 void layWires(PlayParts& parts) {
@@ -101,7 +107,8 @@ constexpr Command<PlayParts> toolTable[] = {
          [](PlayParts const& parts) {
              return hasWire(parts) && parts.run.building() && parts.session.wiresLeft() > 0;
          },
-     .on = [](PlayParts const& parts) { return parts.wires.laying(); }},
+     .on = [](PlayParts const& parts) { return parts.wires.laying(); },
+     .whyNot = whyNoWire},
     {.info = {.id = "hint",
               .keys = {{{SDLK_h}}},
               .icon = Icon::Hint,
@@ -109,7 +116,8 @@ constexpr Command<PlayParts> toolTable[] = {
               .name = words::hint,
               .tip = "Show a hint",
               .help = "hint"},
-     .run = hint},
+     .run = hint,
+     .available = [](PlayParts const& parts) { return parts.run.building(); }},
     {.info = {.id = "components",
               .keys = {{{SDLK_c}, {SDLK_F3}}},
               .icon = Icon::Gauge,

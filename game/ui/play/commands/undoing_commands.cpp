@@ -54,7 +54,10 @@ constexpr Command<PlayParts> undoingTable[] = {
               .help = "undo, redo",
               .padPhase = PadPhase::building},
      .run = undo,
-     .available = [](PlayParts const& parts) { return parts.session.canUndo() || parts.placing.carried(); }},
+     .available = [](PlayParts const& parts) { return parts.session.canUndo() || parts.placing.carried(); },
+     .whyNot = [](PlayParts const& parts) -> char const* {
+         return parts.run.building() ? words::nothingToUndo : nullptr;
+     }},
     {.info = {.id = "redo",
               .keys = {{withCtrlShift(SDLK_z), withCtrl(SDLK_y)}},
               .pad = {render::padKey(SDL_CONTROLLER_BUTTON_RIGHTSHOULDER)},
@@ -66,7 +69,10 @@ constexpr Command<PlayParts> undoingTable[] = {
               .help = "undo, redo",
               .padPhase = PadPhase::building},
      .run = redo,
-     .available = [](PlayParts const& parts) { return parts.session.canRedo(); }},
+     .available = [](PlayParts const& parts) { return parts.session.canRedo(); },
+     .whyNot = [](PlayParts const& parts) -> char const* {
+         return parts.run.building() ? words::nothingToRedo : nullptr;
+     }},
     {.info = {.id = "all-back",
               .keys = {{{SDLK_BACKSPACE}}},
               .icon = Icon::Remove,
@@ -79,7 +85,10 @@ constexpr Command<PlayParts> undoingTable[] = {
          [](PlayParts const& parts) {
              return parts.run.building() && (parts.placing.carried() || !(parts.session.placed().empty() &&
                                                                           parts.session.wires().empty()));
-         }},
+         },
+     .whyNot = [](PlayParts const& parts) -> char const* {
+         return parts.run.building() ? words::allThere : nullptr;
+     }},
 };
 
 } // namespace

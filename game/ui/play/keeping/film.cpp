@@ -3,7 +3,7 @@
 #include "game/ui/shared/texts.hpp"
 #include "game/ui/shared/words.hpp"
 #include "render/gl/error.hpp"
-#include "runtime/file/output_file.hpp"
+#include "render/gl/png.hpp"
 
 #include <utility>
 
@@ -32,7 +32,7 @@ render::Image halved(render::Image const& image) {
 void Film::giveUp(std::string const& why) {
     recording_ = false;
     clip_.reset();
-    toasts_.add(translated(why), render::ToastKind::Trouble, 6);
+    toasts_.add(translated(why), render::ToastKind::Trouble, 10);
 }
 
 void Film::toggle() {
@@ -41,8 +41,8 @@ void Film::toggle() {
     }
     try {
         recorder_.prepare();
-    } catch (render::RenderError const& error) {
-        return giveUp(error.what());
+    } catch (OutputError const& error) {
+        return giveUp(notWritten(Owned::clip, error));
     }
     clip_.reset();
     frames_ = 0;
@@ -60,12 +60,28 @@ void Film::end() {
         return;
     }
     try {
-        auto const file = recorder_.clip(*clip_, static_cast<std::int64_t>(frames_) * 1000 / 60);
-        toasts_.add(textWith("clip.written", seconds(), file.string()), render::ToastKind::News, 8);
+        std::string const bytes = clip_->bytes(static_cast<std::int64_t>(frames_) * 1000 / 60);
         clip_.reset();
-    } catch (std::runtime_error const& error) {
+        pending_.write(
+            Owned::clip,
+            [&recorder = recorder_, bytes, length = seconds()] {
+                auto const file = recorder.write("clip", ".webp", bytes);
+                return textWith("clip.written", length, shownPath(file));
+            },
+            bytes.size(), 8);
+    } catch (render::RenderError const& error) {
         giveUp(error.what());
     }
+}
+
+void Film::writePicture(render::Image const& image) {
+    std::string const bytes = render::pngOf(image);
+    pending_.write(
+        Owned::picture,
+        [&recorder = recorder_, bytes] {
+            return words::pictureTaken(shownPath(recorder.write("picture", ".png", bytes)));
+        },
+        bytes.size());
 }
 
 void Film::add(render::Image image) {
@@ -89,7 +105,7 @@ void Film::take(std::function<render::Image()> const& pixels, bool stepped) {
         if (wanted_ || ofClip) {
             render::Image image = pixels();
             if (std::exchange(wanted_, false)) {
-                toasts_.add(words::pictureTaken(recorder_.picture(image).string()));
+                writePicture(image);
             }
             if (ofClip) {
                 add(std::move(image));

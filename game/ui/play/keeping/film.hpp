@@ -1,6 +1,7 @@
 // Pictures of the world that the player keeps: a clip of a run, and single pictures.
 #pragma once
 
+#include "game/ui/shared/kept/pending_writes.hpp"
 #include "game/ui/shared/kept/recorder.hpp"
 #include "render/gl/webp.hpp"
 #include "render/panels/toasts.hpp"
@@ -11,8 +12,8 @@
 
 namespace trembler::ui {
 
-/// Shows a message with the place of the files, or with the reason why they cannot be written. Window thread
-/// only.
+/// Shows a message with the place of the files, or with the reason why they cannot be written; then they are
+/// kept in memory and tried again. Window thread only.
 class Film {
 public:
     /// A clip shows every second frame of the world, and ends by itself after this many frames.
@@ -21,8 +22,9 @@ public:
     /// Pictures of a clip are halved in size until they are no wider than this, pixels.
     static constexpr int mostWidth = 1280;
 
-    /// Both must outlive this.
-    Film(Recorder& recorder, render::Toasts& toasts) : recorder_(recorder), toasts_(toasts) {}
+    /// All must outlive this.
+    Film(Recorder& recorder, render::Toasts& toasts, PendingWrites& pending)
+        : recorder_(recorder), toasts_(toasts), pending_(pending) {}
 
     /// Begins a clip, or ends the one that is being made.
     void toggle();
@@ -45,9 +47,11 @@ public:
 private:
     void add(render::Image image);
     void giveUp(std::string const& why);
+    void writePicture(render::Image const& image);
 
     Recorder& recorder_;
     render::Toasts& toasts_;
+    PendingWrites& pending_;
     std::unique_ptr<render::AnimatedWebp> clip_; // nullptr before the first picture
     render::Size size_;
     std::uint64_t frames_ = 0; // of the world

@@ -1,5 +1,6 @@
 #include "game/ui/play/keeping/loadable_solutions.hpp"
 
+#include "game/ui/shared/kept/kept_words.hpp"
 #include "game/ui/shared/shown_faults.hpp"
 #include "game/ui/shared/texts.hpp"
 #include "puzzle/solutions/solution_file.hpp"
@@ -73,6 +74,8 @@ std::string LoadableSolutions::receive(std::filesystem::path const& file) {
         Solution const solution = loadSolution(registry_, session_.level(), file);
         load_(solution);
         (void)saved_.keep(id_, solution);
+    } catch (OutputError const& error) {
+        return notWritten(Owned::solution, error);
     } catch (InputError const& error) {
         return textWith("solutions.refused", file.filename().string(),
                         shownMessage(error.diagnostics().front()));
@@ -86,6 +89,8 @@ std::string LoadableSolutions::receive(std::filesystem::path const& file) {
 std::string LoadableSolutions::rename(std::size_t index, std::string const& name) {
     try {
         SavedSolutions::rename(mine_.at(index), name);
+    } catch (OutputError const& error) {
+        return notWritten(Owned::solution, error);
     } catch (std::exception const& error) {
         return shownError(error);
     }
@@ -94,9 +99,13 @@ std::string LoadableSolutions::rename(std::size_t index, std::string const& name
 }
 
 std::string LoadableSolutions::remove(std::size_t index) {
-    std::string why = SavedSolutions::remove(mine_.at(index));
+    try {
+        SavedSolutions::remove(mine_.at(index));
+    } catch (OutputError const& error) {
+        return notWritten(Owned::solution, error);
+    }
     refresh();
-    return why;
+    return {};
 }
 
 } // namespace trembler::ui

@@ -8,7 +8,7 @@
 namespace trembler::ui {
 
 void saveSolution(Session const& session, std::string const& levelId, SavedSolutions const& saved,
-                  render::Toasts& toasts) {
+                  render::Toasts& toasts, PendingWrites& pending) {
     if (session.mode() == SessionMode::building || session.world().frame() == 0) {
         toasts.add(words::runBeforeSaving, render::ToastKind::News, 5);
         return;
@@ -20,9 +20,11 @@ void saveSolution(Session const& session, std::string const& levelId, SavedSolut
     try {
         auto const number = saved.of(levelId).size() + 1;
         std::string const name = words::mySolution + (" " + std::to_string(number));
-        auto const path = saved.save(levelId, session.record(name));
-        toasts.add(words::solutionSaved(path.string()), render::ToastKind::News, 6);
-    } catch (std::runtime_error const& error) {
+        pending.write(Owned::solution, [&saved, levelId, name, solution = session.record(name)] {
+            static_cast<void>(saved.keep(levelId, solution));
+            return textWith("solutions.saved", name);
+        });
+    } catch (std::runtime_error const& error) { // it cannot be recorded
         toasts.add(shownError(error), render::ToastKind::Trouble, 6);
     }
 }

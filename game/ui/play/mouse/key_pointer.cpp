@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace trembler::ui {
 namespace {
@@ -42,13 +43,15 @@ void KeyPointer::holdDirection(Vec2 direction, double seconds, bool fine, Pointe
     }
 }
 
-Pointer KeyPointer::instead(Pointer const& mouse, render::Camera const& camera, bool held) {
+Pointer KeyPointer::instead(Pointer const& mouse, render::Camera const& camera, bool held, bool ours) {
     bool const moved = mouse.moved.x != 0 || mouse.moved.y != 0;
     if (moved || mouse.pressed || mouse.rightPressed || mouse.wheel != 0) {
         active_ = false;
     }
     bool const before = held_;
-    held_ = active_ && held;
+    bool const wasDown = std::exchange(keyDown_, held);
+    bool const began = held && !wasDown && ours;
+    held_ = active_ && held && (before || began);
     if (!active_) {
         return mouse;
     }

@@ -20,8 +20,11 @@ public:
     void holdDirection(Vec2 direction, double seconds, bool fine, Pointer const& mouse,
                        render::Camera const& camera);
     /// The pointer of this picture: this one in place of the mouse while it is in use. `held`: the key that
-    /// acts as the button is down.
-    [[nodiscard]] Pointer instead(Pointer const& mouse, render::Camera const& camera, bool held);
+    /// acts as the button is down; `ours`: a key that goes down now is meant for the field, not for a text. A
+    /// key that went down before the pointer was in use, or for a text, does nothing until it is pressed
+    /// again.
+    [[nodiscard]] Pointer instead(Pointer const& mouse, render::Camera const& camera, bool held,
+                                  bool ours = true);
 
     [[nodiscard]] bool active() const { return active_; }
     /// m
@@ -29,7 +32,8 @@ public:
 
 private:
     bool active_ = false;
-    bool held_ = false; // the key, in the last picture
+    bool held_ = false;    // the key acts, in the last picture
+    bool keyDown_ = false; // the key, whatever it was meant for
     Vec2 at_;
     double directionHeld_ = 0; // s
 };

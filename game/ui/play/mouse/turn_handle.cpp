@@ -9,7 +9,7 @@ constexpr double handleGap = 26;
 } // namespace
 
 std::optional<TurnHandle> turnHandle(Session const& session, PlacingTool const& placing, PartCatalog& catalog,
-                                     double pixel) {
+                                     double pixel, std::function<bool(Vec2)> const& covered) {
     if (session.mode() != SessionMode::building || !placing.selected()) {
         return {};
     }
@@ -22,7 +22,10 @@ std::optional<TurnHandle> turnHandle(Session const& session, PlacingTool const& 
         return {};
     }
     double const arm = catalog.radius(placement->part) + handleGap * pixel;
-    return TurnHandle{placement->at + rotated({0, arm}, placement->angle), *placement};
+    Vec2 const above = placement->at + rotated({0, arm}, placement->angle);
+    Vec2 const below = placement->at - rotated({0, arm}, placement->angle);
+    bool const atBelow = carried ? carried->handleBelow : covered(above) && !covered(below);
+    return TurnHandle{atBelow ? below : above, placement->angle + (atBelow ? -pi / 2 : pi / 2), *placement};
 }
 
 } // namespace trembler::ui

@@ -102,7 +102,12 @@ void drawLine(Plot const& plot, Panel const& panel, Series const& series, ImU32 
     }
     float const edge = scaled(2); // the line of the greatest value is as wide as others
     plot.list.PushClipRect({plot.low.x, plot.low.y - edge}, {plot.high.x, plot.high.y + edge}, true);
-    plot.list.AddPolyline(path.data(), static_cast<int>(path.size()), colour, 0, scaled(width));
+    // In pieces, because one call may add at most 65,535 vertices: see render/panels/long_text.hpp.
+    constexpr std::size_t piece = 4000;
+    for (std::size_t from = 0; from + 1 < path.size(); from += piece) {
+        std::size_t const count = std::min(piece + 1, path.size() - from);
+        plot.list.AddPolyline(path.data() + from, static_cast<int>(count), colour, 0, scaled(width));
+    }
     plot.list.PopClipRect();
 }
 

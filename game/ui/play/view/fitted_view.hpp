@@ -1,9 +1,8 @@
-// The view of a level shows the whole of it beside the cards, until the player moves it by hand.
+// The view of a level shows the whole of it beside the cards, and then holds still.
 #pragma once
 
 #include "game/ui/play/view/level_extents.hpp"
 #include "game/ui/shared/layout.hpp"
-#include "puzzle/session/placements.hpp"
 
 #include <array>
 #include <optional>
@@ -13,42 +12,51 @@ namespace trembler::ui {
 
 struct PlayParts;
 
-/// Two kinds of cards are kept clear. Cards that always stand around the level (goal, toolbox, buttons) count
-/// as they were while the player built, so that the view does not move when a run begins. Cards that the
-/// player opens and closes (components, mods, inspector, why, the legend of overlays) count while they are
-/// open, also in a run, over their whole column down to the buttons, so that the view moves once and not with
-/// each line in them. In a window without room for the level beside such a card, the card lies over it: see
-/// worthwhile in the source file. Places that are empty may lie under the goal card, which is hidden while a
-/// part is held; if a part is placed there, the view is fitted again. Window thread only.
+/// Fits the view when a level is opened, when the window or its letters have another size, and when the
+/// player asks for it (PlayParts::fitWanted): as soon as the cards around the level know their sizes, at most
+/// `settling` pictures later. Otherwise nothing but the player moves it: cards that open, grow or go lie over
+/// the scene or leave it free, and it stays where it is, so that nobody aims at what moves.
+///
+/// Two kinds of cards are kept clear. Those that always stand around the level (goal, toolbox, buttons) leave
+/// the stage free, a rectangle of at least `stageShare` of the window's width; the toolbox counts in a run,
+/// too, as it comes back. Cards that the player has opened (components, mods, inspector, why, the legend of
+/// overlays) and the timeline count when the player asks to see everything, over their whole column down to
+/// the buttons. In a window without room for the level beside such a card, the card lies over it: see
+/// worthwhile in the source file. Window thread only.
 class FittedView {
 public:
     /// Once for each picture, before its cards are drawn. `cards`: the last picture had them.
     void follow(PlayParts& parts, bool cards);
+    /// The rectangle that the cards around the level leave free, as it was when the view was fitted, pixels.
+    [[nodiscard]] Rect const& stage() const { return stage_; }
+    /// Whether the view is not fitted yet.
+    [[nodiscard]] bool settles() const { return pictures_ >= 0; }
+
+    /// The most pictures with cards until the view is fitted: a card has its size in its third.
+    static constexpr int settling = 5;
 
 private:
     using Cards = std::vector<Rect>;
 
+    void lookAtWindow(PlayParts& parts);
     /// Return whether anything changed.
-    bool lookAtWindow(PlayParts const& parts);
     bool lookAtStanding(PlayParts const& parts);
-    bool lookAtOpened(PlayParts const& parts);
-    /// Returns whether the level has room between the cards at the sides.
-    bool setMargins(PlayParts& parts) const;
-    void fit(PlayParts& parts, bool room) const;
-    /// Returns whether the player has placed, moved or removed parts, so that one lies under a card now.
-    bool lookAtPlaced(PlayParts& parts);
+    void lookAtOpened(PlayParts const& parts);
+    void setStage(PlayParts& parts);
+    void fit(PlayParts& parts) const;
+    [[nodiscard]] std::optional<Rect> toolboxPlace(PlayParts const& parts) const;
     [[nodiscard]] Cards onlyGoal() const;
-    [[nodiscard]] Cards obstacles(bool withOpened, bool withGoal = true) const;
+    [[nodiscard]] Cards obstacles(PlayParts const& parts, bool withOpened) const;
 
     std::array<std::optional<Rect>, 5> standing_;
     std::array<std::optional<Rect>, 3> opened_; ///< at the left, at the right, above the tools
-    std::array<int, 3> missing_{};              ///< pictures since there was a card there
     render::Size window_;                       ///< of which the cards are
     double scale_ = 0;                          ///< of the interface
     float timeline_ = 0;                        ///< its height, pixels at UI scale 1
     LevelExtents extents_;
-    std::vector<PlacedPart> placed_;
-    bool toolbox_ = true; ///< it counts: not beside a card that was opened in a run, which hides it
+    Rect stage_;
+    double goalHeight_ = 140; ///< of its card while the player builds, pixels at UI scale 1
+    int pictures_ = 0;        ///< with cards of this window since it has its size; -1: the view is fitted
     bool wasBuilding_ = true;
 };
 

@@ -19,7 +19,6 @@ using namespace render;
 using insight::Proof;
 
 // Pixels at UI scale 1.
-constexpr float whyCardWidth = 324;
 constexpr float numberSize = 24;
 constexpr float rowGap = 6;
 
@@ -212,11 +211,12 @@ void WhyPanel::drawNotes() const {
     }
 }
 
-std::optional<std::uint64_t> WhyPanel::draw(Layout& layout, float top, float height) {
+std::optional<std::uint64_t> WhyPanel::draw(Layout& layout, SidePlace const& place) {
     if (!open_) {
         return std::nullopt;
     }
-    layout.beginCard("why", "", {.anchor = Anchor::TopRight, .offset = {16, top}, .width = whyCardWidth});
+    layout.beginCard(
+        "why", "", {.anchor = Anchor::TopRight, .offset = {place.right, place.top}, .width = inspectorWidth});
     std::optional<std::uint64_t> wanted;
     float used = 0;
     drawHead(layout, used);
@@ -225,7 +225,7 @@ std::optional<std::uint64_t> WhyPanel::draw(Layout& layout, float top, float hei
     } else if (answer_) {
         // Text that does not fit scrolls; the height used is that of the last picture.
         float& content = *ImGui::GetStateStorage()->GetFloatRef(ImGui::GetID("height of the content"), 0);
-        float const most = std::max(scaled(height) - used, scaled(80));
+        float const most = std::max(scaled(place.height) - used, scaled(80));
         bool const scrolls = content > most;
         if (scrolls) {
             ImGui::PushStyleColor(ImGuiCol_ChildBg, ImVec4(0, 0, 0, 0));

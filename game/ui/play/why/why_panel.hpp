@@ -3,6 +3,7 @@
 
 #include "game/ui/play/why/inquiry.hpp"
 #include "game/ui/shared/answer_language.hpp"
+#include "game/ui/shared/card_sizes.hpp"
 #include "game/ui/shared/layout.hpp"
 #include "insight/timeline/marks.hpp"
 #include "insight/why/words/words.hpp"
@@ -53,7 +54,7 @@ public:
     void pass();
     /// Draws the card between Gui::beginFrame and endFrame; see Inspector::draw. Returns the moment that the
     /// player wants to see.
-    [[nodiscard]] std::optional<std::uint64_t> draw(Layout& layout, float top, float height);
+    [[nodiscard]] std::optional<std::uint64_t> draw(Layout& layout, SidePlace const& place);
 
     // The answer.
     /// nullptr: there is none.

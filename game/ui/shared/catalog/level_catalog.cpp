@@ -1,9 +1,13 @@
 #include "game/ui/shared/catalog/level_catalog.hpp"
 
 #include "game/ui/shared/shown_faults.hpp"
+#include "game/ui/shared/texts.hpp"
 #include "game/ui/shared/words.hpp"
 #include "puzzle/campaign/chapter.hpp"
+#include "runtime/file/cut_text.hpp"
+#include "runtime/file/folder_files.hpp"
 #include "runtime/level/json/diagnostic.hpp"
+#include "runtime/level/read/folder_limits.hpp"
 #include "runtime/level/read/read_level.hpp"
 
 #include <algorithm>
@@ -30,6 +34,10 @@ public:
         if (names.empty()) {
             return registry_;
         }
+        constexpr std::size_t most = 50;
+        if (known_.size() >= most) { // the levels of a pack may name as many different sets of mods
+            known_.clear();
+        }
         auto& data = known_[{file.parent_path(), std::move(names)}];
         if (data == nullptr) {
             data = mods_.data(file);
@@ -49,7 +57,9 @@ CatalogEntry entryFor(DataOfLevels& data, fs::path const& file, std::string id) 
         LevelFile const level = loadLevel(data.registryOf(file), file);
         entry.demonstration = level.demonstration;
         entry.task = level.demonstration && !level.task.is_null();
-        entry.texts = level.texts;
+        for (auto const& [language, texts] : level.texts) {
+            entry.texts[language].title = texts.title; // the rest may be megabytes
+        }
         if (!level.title.empty()) {
             entry.title = level.title;
         }
@@ -59,11 +69,13 @@ CatalogEntry entryFor(DataOfLevels& data, fs::path const& file, std::string id) 
     } catch (std::exception const& error) {
         entry.trouble = shownError(error);
     }
+    constexpr std::size_t longest = 1000; // bytes
+    entry.trouble = cutText(std::move(entry.trouble), longest);
     return entry;
 }
 
-std::vector<fs::path> jsonBelow(fs::path const& folder) {
-    std::vector<fs::path> files;
+FolderFiles jsonBelow(fs::path const& folder) {
+    FirstPaths files(limits::levelFiles);
     std::error_code failed;
     fs::recursive_directory_iterator walk(folder, fs::directory_options::skip_permission_denied, failed);
     for (; !failed && walk != fs::recursive_directory_iterator(); walk.increment(failed)) {
@@ -74,10 +86,18 @@ std::vector<fs::path> jsonBelow(fs::path const& folder) {
             continue;
         }
         if (path.extension() == ".json" && !isNotALevel(path) && walk->is_regular_file(failed)) {
-            files.push_back(path);
+            files.add(path);
         }
     }
-    return files;
+    return {.files = files.sorted(), .leftOut = files.leftOut(), .error = {}};
+}
+
+/// Says below a group that further levels are not listed.
+void tellOf(std::size_t leftOut, CatalogGroup& group) {
+    if (leftOut > 0) {
+        group.text = textWith("levels.left_out", leftOut);
+        group.texts.clear();
+    }
 }
 
 /// A folder of levels, while the catalog is made.
@@ -139,7 +159,8 @@ bool naturallyBefore(std::string_view a, std::string_view b) {
 LevelCatalog::LevelCatalog(Registry const& registry, fs::path const& folder, CatalogMods const& mods) {
     DataOfLevels data(registry, mods);
     std::map<std::string, std::vector<fs::path>> byFolder;
-    for (fs::path const& file : jsonBelow(folder)) {
+    FolderFiles const all = jsonBelow(folder);
+    for (fs::path const& file : all.files) {
         byFolder[file.parent_path().lexically_relative(folder).generic_string()].push_back(file);
     }
     std::vector<Folder> folders;
@@ -161,10 +182,15 @@ LevelCatalog::LevelCatalog(Registry const& registry, fs::path const& folder, Cat
         group.texts = one.chapter.texts;
         groups_.push_back(std::move(group));
     }
+    if (!groups_.empty()) {
+        tellOf(all.leftOut, groups_.front());
+    }
     for (fs::path const& mod : mods.mods) {
         std::string const name = mod.filename().string();
         CatalogGroup group{words::levelsOfMod(titleFromName(name)), {}, false, {}};
-        std::vector<fs::path> files = jsonBelow(mod / "levels");
+        FolderFiles found = jsonBelow(mod / "levels");
+        std::vector<fs::path>& files = found.files;
+        tellOf(found.leftOut, group);
         std::sort(files.begin(), files.end(), [](fs::path const& a, fs::path const& b) {
             return naturallyBefore(a.string(), b.string());
         });

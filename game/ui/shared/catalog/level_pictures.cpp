@@ -3,10 +3,10 @@
 #include "game/ui/shared/catalog/small_scene.hpp"
 #include "puzzle/session/session.hpp"
 #include "render/draw/palette.hpp"
-#include "render/gl/error.hpp"
-#include "runtime/level/json/diagnostic.hpp"
 #include "runtime/level/read/read_level.hpp"
 
+#include <algorithm>
+#include <exception>
 #include <utility>
 
 namespace trembler::ui {
@@ -14,8 +14,9 @@ namespace trembler::ui {
 using namespace render;
 
 LevelPictures::LevelPictures(Registry const& registry, PartLibrary const& parts, Canvas& canvas,
-                             decltype(CatalogMods::data) data)
-    : registry_(registry), parts_(parts), canvas_(canvas), data_(std::move(data)) {}
+                             decltype(CatalogMods::data) data, std::size_t mostKept)
+    : registry_(registry), parts_(parts), canvas_(canvas), data_(std::move(data)),
+      mostKept_(std::max<std::size_t>(mostKept, 1)) {}
 
 void LevelPictures::drawInto(Framebuffer const& target, CatalogEntry const& level) {
     auto const data = data_ ? data_(level.file) : nullptr;
@@ -29,6 +30,12 @@ unsigned LevelPictures::texture(CatalogEntry const& level, Size size) {
         return 0;
     }
     Picture& picture = pictures_[level.id];
+    picture.asked = ++asked_;
+    if (pictures_.size() > mostKept_) {
+        pictures_.erase(
+            std::min_element(pictures_.begin(), pictures_.end(),
+                             [](auto const& a, auto const& b) { return a.second.asked < b.second.asked; }));
+    }
     if (picture.size == size && picture.colours == palette::inUse()) {
         return picture.target == nullptr ? 0 : picture.target->texture();
     }
@@ -41,9 +48,7 @@ unsigned LevelPictures::texture(CatalogEntry const& level, Size size) {
     try {
         picture.target = std::make_unique<Framebuffer>(size);
         drawInto(*picture.target, level);
-    } catch (InputError const&) { // reported when the level is opened
-        picture.target.reset();
-    } catch (RenderError const&) {
+    } catch (std::exception const&) { // reported when the level is opened
         picture.target.reset();
     }
     return picture.target == nullptr ? 0 : picture.target->texture();

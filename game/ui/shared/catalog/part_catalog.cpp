@@ -1,6 +1,7 @@
 #include "game/ui/shared/catalog/part_catalog.hpp"
 
 #include "game/ui/shared/texts.hpp"
+#include "puzzle/data/part_groups.hpp"
 #include "render/panels/toolbox_tile.hpp"
 #include "render/scene/objects/part.hpp"
 
@@ -23,6 +24,12 @@ std::string PartCatalog::titleOf(std::string const& part) const {
 std::string PartCatalog::textOf(std::string const& part) const {
     PartDefinition const* const found = parts_.find(part);
     return found == nullptr ? std::string() : textIn(found->texts, std::string(languageInUse()), found->text);
+}
+
+std::vector<PartGroup> const& PartCatalog::groupsOf(std::string const& part) {
+    auto const known = groups_.find(part);
+    return known != groups_.end() ? known->second
+                                  : groups_.emplace(part, trembler::groupsOf(parts_, part)).first->second;
 }
 
 Prototype const* PartCatalog::prototype(std::string const& part) {

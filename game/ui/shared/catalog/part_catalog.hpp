@@ -8,6 +8,7 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 namespace trembler::ui {
 
@@ -20,6 +21,8 @@ public:
     [[nodiscard]] std::string titleOf(std::string const& part) const;
     /// The part's description, "" if it has none.
     [[nodiscard]] std::string textOf(std::string const& part) const;
+    /// The groups of a large toolbox that have the part; valid as long as the catalogue.
+    [[nodiscard]] std::vector<PartGroup> const& groupsOf(std::string const& part);
     /// nullptr if there is no such part.
     [[nodiscard]] Prototype const* prototype(std::string const& part);
     /// An OpenGL texture of the part lying on a tile, `pixels` wide and high; 0 if there is no such part.
@@ -38,6 +41,7 @@ private:
     PartLibrary const& parts_;
     render::Canvas& canvas_;
     std::map<std::string, Prototype> prototypes_;
+    std::map<std::string, std::vector<PartGroup>> groups_;
     std::map<std::string, Picture> pictures_;
 };
 

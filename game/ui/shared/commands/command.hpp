@@ -78,6 +78,9 @@ struct Command {
     void (*run)(Context&) = nullptr;
     bool (*available)(Context const&) = nullptr; ///< nullptr: always
     bool (*on)(Context const&) = nullptr;        ///< whether a switch is on; nullptr: not a switch
+    /// Why it is not available, for a player who presses its key: a text in the language in use. nullptr, or
+    /// one that is returned: for the general reason that its CommandGroup states.
+    char const* (*whyNot)(Context const&) = nullptr;
 };
 
 /// The commands of one screen, independent of its Context. Indices are rows of its table.
@@ -88,6 +91,8 @@ public:
     [[nodiscard]] virtual CommandInfo const& info(std::size_t index) const = 0;
     [[nodiscard]] virtual bool available(std::size_t index) const = 0;
     [[nodiscard]] virtual bool on(std::size_t index) const = 0;
+    /// Why a command that is not available now is not; nullptr if only its group says it.
+    [[nodiscard]] virtual char const* whyNot(std::size_t) const { return nullptr; }
     /// The meaning of the buttons of gamepads at present.
     [[nodiscard]] virtual PadPhase phase() const { return PadPhase::always; }
     /// Does nothing if the command is not available.
@@ -118,6 +123,10 @@ public:
     [[nodiscard]] bool on(std::size_t index) const override {
         auto* const on = table_[index].on;
         return on != nullptr && on(context_);
+    }
+    [[nodiscard]] char const* whyNot(std::size_t index) const override {
+        auto* const why = table_[index].whyNot;
+        return why == nullptr ? nullptr : why(context_);
     }
     [[nodiscard]] PadPhase phase() const override {
         if constexpr (requires { context_.phase(); }) {

@@ -26,6 +26,11 @@ std::string CommandButtons::tip(std::string_view id) const {
     return tipOf(commands_.info(index), commands_.on(index), bindings_);
 }
 
+std::string CommandButtons::keyOf(std::string_view id) const {
+    auto const keys = bindings_.keysOf(id);
+    return keys.empty() ? std::string() : labelOf(keys.front());
+}
+
 void CommandButtons::note(bool clicked, std::size_t index, std::string item) {
     if (clicked) {
         asked_ = index;

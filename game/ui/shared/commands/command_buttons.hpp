@@ -37,6 +37,8 @@ public:
     [[nodiscard]] bool available(std::string_view id) const {
         return commands_.available(commands_.indexOf(id));
     }
+    /// The label of its first key; "" if it has none.
+    [[nodiscard]] std::string keyOf(std::string_view id) const;
     /// The tip of the command, for other widgets than these buttons.
     [[nodiscard]] std::string tip(std::string_view id) const;
     /// The command whose button was pressed last.

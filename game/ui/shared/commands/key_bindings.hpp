@@ -2,6 +2,7 @@
 #pragma once
 
 #include "game/ui/shared/commands/command.hpp"
+#include "game/ui/shared/kept/settings.hpp"
 
 #include <map>
 #include <optional>
@@ -26,9 +27,6 @@ template <class Context>
     }
     return list;
 }
-
-/// Keys as stored in a profile: names of chords by command id.
-using StatedKeys = std::map<std::string, std::vector<std::string>>;
 
 /// No two commands of one screen ever have the same chord, and essential commands always have one. Window
 /// thread only.

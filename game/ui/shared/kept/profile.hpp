@@ -1,36 +1,34 @@
 // The persistent data of a player: settings, keys, and solved levels.
 #pragma once
 
+#include "game/ui/shared/kept/profile_text.hpp"
+#include "game/ui/shared/kept/settings.hpp"
 #include "puzzle/campaign/progress.hpp"
+#include "runtime/file/output_file.hpp"
 
+#include <cstdint>
 #include <filesystem>
-#include <map>
+#include <functional>
+#include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
 namespace trembler::ui {
 
-struct Settings {
-    float uiScale = 1.F; ///< the player's own factor, 0.5 to 3
-    bool shadows = true;
-    bool shadowsChosen = false; ///< by the player: otherwise the graphics driver decides
-    bool fullscreen = false;
-    bool names = false;         ///< names of objects in the world
-    int volume = 80;            ///< percent; 0: silence
-    int touches = 50;           ///< percent of that, for the interface's own sounds
-    bool hrtf = false;          ///< binaural sound for headphones
-    bool reducedMotion = false; ///< nothing moves for decoration alone
-    bool padIsSecond = false;   ///< the last gamepad is the second player's, even if it is the only one
-    bool clearColours = false;  ///< colours that colour-blind eyes distinguish best
-    std::string language{};     ///< "en", "de"; empty: that of the desktop
-};
-
-/// Saved at once whenever it changes. A file that cannot be read or written is not an error: the profile is
-/// then empty, or not saved.
+/// Saved at once whenever it changes, as KeptFile does it. Another instance of the game may change the same
+/// file: each adds its own changes to what is there, so that stars only grow, and of each setting the later
+/// choice stays. A setting that another instance changes applies here from the next start. What cannot be
+/// written is kept here and tried again. Window thread only.
 class Profile {
 public:
-    /// `file` empty: nothing is read or written (tests).
-    explicit Profile(std::filesystem::path file = {});
+    /// The time for changes, ms since 1970.
+    using Clock = std::function<std::int64_t()>;
+    /// What could not be written is tried again after this time, s.
+    static constexpr double patience = 5;
+
+    /// `file` empty: nothing is read or written (tests). `clock` empty: the computer's.
+    explicit Profile(std::filesystem::path file = {}, Clock clock = {});
 
     [[nodiscard]] Settings const& settings() const { return settings_; }
     void setSettings(Settings const& settings);
@@ -41,10 +39,18 @@ public:
     /// Notes in which kind of way a level was solved; returns true if it differs from all before.
     bool addKind(std::string const& levelId, SolutionKind kind);
     /// Keys other than the defaults: names of keys by command id, as in the file.
-    [[nodiscard]] std::map<std::string, std::vector<std::string>> const& keys() const { return keys_; }
-    void setKeys(std::map<std::string, std::vector<std::string>> keys);
-    /// A sentence for each entry of the keys that could not be read.
-    [[nodiscard]] std::vector<std::string> const& troubles() const { return troubles_; }
+    [[nodiscard]] StatedKeys const& keys() const { return keys_; }
+    void setKeys(StatedKeys keys);
+    /// A sentence for each thing that was wrong with the file when it was read: that it was damaged, or which
+    /// entries could not be read. In the language in use.
+    [[nodiscard]] std::vector<std::string> troubles() const;
+
+    /// Why the last changes are not in the file; nothing if they are.
+    [[nodiscard]] std::optional<OutputError> const& unwritten() const { return unwritten_; }
+    /// To be called once per picture: tries again to write what could not be written.
+    void pass(double seconds);
+    /// Tries again at once, before the game ends.
+    void finish();
 
     /// The default file: $XDG_DATA_HOME/trembler/profile.json, or below ~/.local/share; empty if neither
     /// variable is set.
@@ -52,13 +58,19 @@ public:
 
 private:
     void read();
-    void write() const;
+    void change(std::string const& name, nlohmann::ordered_json value);
+    void write();
 
     std::filesystem::path file_;
+    Clock clock_;
     Settings settings_;
-    std::map<std::string, std::vector<std::string>> keys_;
-    std::vector<std::string> troubles_;
+    StatedKeys keys_;
     CampaignProgress progress_;
+    TimedValues values_;           // as far as they were stated or chosen
+    std::set<std::string> chosen_; // just now: later than whatever is in the file
+    std::vector<std::function<std::string()>> troubles_;
+    std::optional<OutputError> unwritten_;
+    double sinceTry_ = 0; // s
 };
 
 } // namespace trembler::ui

@@ -1,14 +1,20 @@
 #include "game/ui/shared/kept/saved_solutions.hpp"
 
 #include "game/ui/shared/catalog/level_catalog.hpp"
+#include "runtime/file/cut_text.hpp"
+#include "runtime/file/folder_files.hpp"
+#include "runtime/file/kept_file.hpp"
 #include "runtime/file/output_file.hpp"
 #include "runtime/file/visible_text.hpp"
 #include "runtime/level/json/diagnostic.hpp"
+#include "runtime/level/json/json_document.hpp"
+#include "runtime/level/json/limits.hpp"
 #include "runtime/level/write/write_level.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <system_error>
 
 namespace trembler::ui {
@@ -16,16 +22,23 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The name in a solution's file; empty if it is none.
-std::string nameInFile(fs::path const& file) {
+constexpr std::size_t mostShown = 1000; // solutions of one level
+
+/// The name in a solution's text; empty if it is none.
+std::string nameIn(std::string const& text) {
     try {
-        auto const document = JsonDocument::load(file);
+        auto const document = JsonDocument::parse(text, "solution");
         nlohmann::json const& root = document->root();
         auto const name = root.is_object() ? root.find("name") : root.end();
         return name != root.end() && name->is_string() ? name->get<std::string>() : std::string();
     } catch (InputError const&) {
         return {};
     }
+}
+
+/// What a solution's file says. Throws InputError.
+nlohmann::json contentOf(fs::path const& file) {
+    return JsonDocument::load(file)->root();
 }
 
 } // namespace
@@ -36,13 +49,17 @@ fs::path SavedSolutions::folderOf(std::string const& levelId) const {
 
 std::vector<SavedSolution> SavedSolutions::of(std::string const& levelId) const {
     std::vector<SavedSolution> all;
-    std::error_code ignored;
-    for (fs::directory_iterator at(folderOf(levelId), ignored), end; at != end; at.increment(ignored)) {
-        if (at->path().extension() != ".json") {
-            continue;
-        }
-        if (std::string name = nameInFile(at->path()); !name.empty()) {
-            all.push_back({at->path(), std::move(name)});
+    for (fs::path const& file : filesIn(folderOf(levelId), ".json", mostShown).files) {
+        try {
+            KeptText found = KeptFile(file).read();
+            if (found.damaged) {
+                damaged_.push_back(std::move(*found.damaged));
+            }
+            std::string name = found.text ? nameIn(*found.text) : std::string();
+            if (!name.empty()) {
+                all.push_back({file, cutText(std::move(name), limits::name)});
+            }
+        } catch (InputError const&) { // it cannot be read now
         }
     }
     std::sort(all.begin(), all.end(), [](SavedSolution const& a, SavedSolution const& b) {
@@ -52,23 +69,16 @@ std::vector<SavedSolution> SavedSolutions::of(std::string const& levelId) const 
 }
 
 fs::path SavedSolutions::save(std::string const& levelId, Solution const& solution) const {
-    fs::path const folder = folderOf(levelId);
-    std::error_code ignored; // writing the file reports it if that failed
-    fs::create_directories(folder, ignored);
-    for (int n = 1;; ++n) {
-        fs::path file = folder / fmt::format("solution-{}.json", n);
-        if (!fs::exists(file, ignored)) {
-            writeFile(file, escapedJson(writeSolution(solution).dump(2)) + "\n");
-            return file;
-        }
-    }
+    return writeNewFile(
+        folderOf(levelId), [](int number) { return fmt::format("solution-{}.json", number); },
+        escapedJson(writeSolution(solution).dump(2)) + "\n");
 }
 
 fs::path SavedSolutions::keep(std::string const& levelId, Solution const& solution) const {
     nlohmann::json const content = writeSolution(solution);
     for (SavedSolution const& saved : of(levelId)) {
         try {
-            if (JsonDocument::load(saved.file)->root() == content) {
+            if (contentOf(saved.file) == content) {
                 return saved.file;
             }
         } catch (InputError const&) {
@@ -79,15 +89,18 @@ fs::path SavedSolutions::keep(std::string const& levelId, Solution const& soluti
 }
 
 void SavedSolutions::rename(SavedSolution const& saved, std::string const& name) {
-    auto content = nlohmann::ordered_json::parse(JsonDocument::load(saved.file)->text());
-    content["name"] = name;
-    writeFile(saved.file, escapedJson(content.dump(2)) + "\n");
+    KeptFile(saved.file).change([&](KeptText const& present) -> std::optional<std::string> {
+        if (!present.text) {
+            return std::nullopt; // it was removed meanwhile
+        }
+        auto content = nlohmann::ordered_json::parse(*present.text);
+        content["name"] = name;
+        return escapedJson(content.dump(2)) + "\n";
+    });
 }
 
-std::string SavedSolutions::remove(SavedSolution const& saved) {
-    std::error_code failed;
-    fs::remove(saved.file, failed);
-    return failed ? failed.message() : std::string();
+void SavedSolutions::remove(SavedSolution const& saved) {
+    KeptFile(saved.file).remove();
 }
 
 } // namespace trembler::ui

@@ -2,10 +2,12 @@
 #pragma once
 
 #include "puzzle/campaign/kept_builds.hpp"
+#include "runtime/file/kept_file.hpp"
 #include "runtime/level/model/level.hpp"
 
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace trembler::ui {
@@ -22,7 +24,8 @@ public:
     /// `folder` is made when the first solution is saved.
     explicit SavedSolutions(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
-    /// Those of a level, in the order in which they were saved. Files that are none are left out.
+    /// Those of a level, in the order in which they were saved. Files that are none are left out;
+    /// damaged ones are moved aside, and the last good ones taken.
     [[nodiscard]] std::vector<SavedSolution> of(std::string const& levelId) const;
     /// Writes a new file and returns its path. Throws OutputError.
     [[nodiscard]] std::filesystem::path save(std::string const& levelId, Solution const& solution) const;
@@ -32,13 +35,16 @@ public:
     /// Gives a solution another name; its file keeps its own. Throws OutputError, or InputError if the file
     /// can no longer be read.
     static void rename(SavedSolution const& saved, std::string const& name);
-    /// Returns why that is not possible; empty if it was done.
-    [[nodiscard]] static std::string remove(SavedSolution const& saved);
+    /// Throws OutputError.
+    static void remove(SavedSolution const& saved);
+    /// The damaged files that of() has found since the last call.
+    [[nodiscard]] std::vector<DamagedFile> takeDamaged() { return std::exchange(damaged_, {}); }
 
 private:
     [[nodiscard]] std::filesystem::path folderOf(std::string const& levelId) const;
 
     std::filesystem::path folder_;
+    mutable std::vector<DamagedFile> damaged_;
 };
 
 } // namespace trembler::ui

@@ -1,8 +1,9 @@
 #include "game/ui/shared/kept/user_folders.hpp"
 
+#include "runtime/level/json/diagnostic.hpp"
+#include "runtime/level/json/read_text.hpp"
+
 #include <cstdlib>
-#include <fstream>
-#include <iterator>
 #include <string>
 
 namespace trembler::ui {
@@ -19,9 +20,12 @@ fs::path fromEnvironment(char const* name) {
 fs::path statedFolder(std::string_view name, fs::path const& home) {
     fs::path config = fromEnvironment("XDG_CONFIG_HOME");
     config = config.is_absolute() ? config : home / ".config";
-    std::ifstream in(config / "user-dirs.dirs");
-    std::string const text(std::istreambuf_iterator<char>(in), {});
-    return userFolderIn(text, name, home);
+    constexpr std::size_t most = std::size_t{1} << 20U; // bytes; such files have about a thousand
+    try {
+        return userFolderIn(readText(config / "user-dirs.dirs", most), name, home);
+    } catch (InputError const&) {
+        return {};
+    }
 }
 
 } // namespace

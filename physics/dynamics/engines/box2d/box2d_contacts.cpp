@@ -74,6 +74,12 @@ float Box2dEngine::speedGain(b2Body const* body) const {
 // A body that is pressed or turned against another by a strong load gains a speed in every substep that looks
 // like an impact; bouncing it back would never end. Only speed that the load does not explain bounces.
 void Box2dEngine::PreSolve(b2Contact* contact, b2Manifold const*) {
+    if (impactsWanted_) {
+        for (b2Fixture const* const fixture : {contact->GetFixtureA(), contact->GetFixtureB()}) {
+            b2Body const* const body = fixture->GetBody();
+            beforeTouch_[slotOf(body)] = {body->GetLinearVelocity(), body->GetAngularVelocity()};
+        }
+    }
     if (contact->GetRestitution() > 0) {
         float const explained =
             2 * (speedGain(contact->GetFixtureA()->GetBody()) + speedGain(contact->GetFixtureB()->GetBody()));
@@ -122,7 +128,74 @@ void Box2dEngine::PostSolve(b2Contact* contact, b2ContactImpulse const* impulse)
     }
     impact.impulse = newImpulse / scale_;
     impact.since = since_;
-    impacts_.push_back(impact);
+    bool const inOrder = impact.a == bodies_[slotOf(a)].object;
+    budget_.add(impact, slotOf(a->GetType() == b2_dynamicBody ? a : b), beforeImpact(inOrder ? a : b),
+                beforeImpact(inOrder ? b : a));
+}
+
+ImpactBudget::Body Box2dEngine::beforeImpact(b2Body const* body) const {
+    if (body->GetType() != b2_dynamicBody) {
+        return {};
+    }
+    Velocity const& before = beforeTouch_[slotOf(body)];
+    return {.inverseMass = 1 / static_cast<double>(body->GetMass()),
+            .inverseInertia = scale_ * scale_ / static_cast<double>(body->GetInertia()),
+            .centre = fromEngine(body->GetPosition()),
+            .velocity = fromEngine(before.linear),
+            .spin = static_cast<double>(before.spin)};
+}
+
+void Box2dEngine::noteVelocities() {
+    if (!impactsWanted_) {
+        return;
+    }
+    budget_.begin();
+    atStart_.resize(bodies_.size());
+    for (std::size_t slot = 0; slot < bodies_.size(); ++slot) {
+        if (b2Body const* const body = bodies_[slot].body; body != nullptr) {
+            atStart_[slot] = {body->GetLinearVelocity(), body->GetAngularVelocity()};
+        }
+    }
+    beforeTouch_ = atStart_;
+}
+
+void Box2dEngine::settleImpacts() {
+    if (!impactsWanted_) {
+        return;
+    }
+    if (budget_.exceeded()) {
+        budget_.reset(bodies_.size());
+        auto const link = [this](b2Body const* a, b2Body const* b) {
+            if (a->GetType() == b2_dynamicBody && b->GetType() == b2_dynamicBody) {
+                budget_.link(slotOf(a), slotOf(b));
+            }
+        };
+        for (b2Contact const* contact = world_.GetContactList(); contact != nullptr;
+             contact = contact->GetNext()) {
+            if (contact->IsTouching()) {
+                link(contact->GetFixtureA()->GetBody(), contact->GetFixtureB()->GetBody());
+            }
+        }
+        for (JointEntry const& entry : joints_) {
+            if (entry.joint != nullptr) {
+                link(entry.joint->GetBodyA(), entry.joint->GetBodyB());
+            }
+        }
+        for (SlotIndex slot = 0; slot < bodies_.size(); ++slot) {
+            b2Body const* const body = bodies_[slot].body;
+            if (body == nullptr || body->GetType() != b2_dynamicBody) {
+                continue;
+            }
+            auto const energy = [&](b2Vec2 velocity, float spin) {
+                return kineticEnergy(static_cast<double>(body->GetMass()),
+                                     static_cast<double>(body->GetInertia()) / (scale_ * scale_),
+                                     fromEngine(velocity), static_cast<double>(spin));
+            };
+            budget_.lose(slot, energy(atStart_[slot].linear, atStart_[slot].spin) -
+                                   energy(body->GetLinearVelocity(), body->GetAngularVelocity()));
+        }
+    }
+    budget_.settle(impacts_);
 }
 
 TouchChange Box2dEngine::changeOf(b2Contact* contact, int delta) const {

@@ -189,10 +189,12 @@ void Box2dEngine::step(double duration, DynamicsSettings const& settings) {
     substep_ = h;
     for (int substep = 0; substep < settings.substeps; ++substep) {
         since_ = duration * substep / settings.substeps;
+        noteVelocities();
         applyDrags(static_cast<double>(h));
         applyJoints(h);
         bool const last = substep + 1 == settings.substeps;
         takeStep(h, settings, last);
+        settleImpacts();
         noteDragged();
         anyAwake_ = false;
         if (last) {

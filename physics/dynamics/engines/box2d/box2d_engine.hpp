@@ -8,6 +8,7 @@
 #include "physics/dynamics/engines/box2d/box2d_crowd.hpp"
 #include "physics/dynamics/engines/box2d/joints_at_once.hpp"
 #include "physics/dynamics/engines/box2d/substep_motion.hpp"
+#include "physics/dynamics/engines/impact_budget.hpp"
 #include "physics/dynamics/engines/slot_set.hpp"
 
 #include <box2d/box2d.h>
@@ -131,6 +132,11 @@ private:
     void EndContact(b2Contact* contact) override;
     void PreSolve(b2Contact* contact, b2Manifold const* before) override;
     void PostSolve(b2Contact* contact, b2ContactImpulse const* impulse) override;
+    /// Stores the velocities at the beginning of a substep, for its impacts.
+    void noteVelocities();
+    [[nodiscard]] ImpactBudget::Body beforeImpact(b2Body const* body) const;
+    /// Reports the impacts of a substep.
+    void settleImpacts();
     void noteTouch(b2Contact* contact, int delta);
     [[nodiscard]] TouchChange changeOf(b2Contact* contact, int delta) const;
     /// Wakes the body and all that it rests on or is tied to, as Box2D itself does within its step, but with
@@ -204,6 +210,13 @@ private:
     std::vector<Reported> reported_; // since the end of the last frame
     bool impactsWanted_ = false;
     ImpactBook pressures_;
+    ImpactBudget budget_;
+    struct Velocity { // in engine units
+        b2Vec2 linear = b2Vec2_zero;
+        float spin = 0;
+    };
+    std::vector<Velocity> atStart_;     // by slot, at the beginning of the substep
+    std::vector<Velocity> beforeTouch_; // by slot, when its contacts were last evaluated
     std::vector<Impact> impacts_;
     double since_ = 0; // s, from the beginning of the frame to that of the substep
 };

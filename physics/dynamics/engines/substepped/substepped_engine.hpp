@@ -105,6 +105,9 @@ protected:
 private:
     void checkMotion() const;
     void substep(double h, DynamicsSettings const& settings);
+    /// Stores the motions at the beginning of a substep, for its impacts.
+    void noteVelocities();
+    void findImpacts(double since);
     void lookAtFast(double h);
     void findRest(double duration);
     [[nodiscard]] bool idles(SlotIndex slot, Motion const& motion) const;
@@ -120,6 +123,7 @@ private:
     std::vector<std::uint8_t> touching_; // by slot, updated by findRest()
     bool anyAwake_ = false;
     TouchRecord touches_;
+    std::vector<Motion> atStart_; // by slot, of movable bodies at the beginning of the substep
     std::vector<PieceContact> found_;
     std::vector<MovedBody> moved_;
     std::vector<std::uint8_t> movedMarks_;

@@ -20,15 +20,52 @@ void SubsteppedEngine::step(double duration, DynamicsSettings const& settings) {
     touches_.startStep();
     double const h = duration / settings.substeps;
     for (int i = 0; i < settings.substeps; ++i) {
+        noteVelocities();
         substep(h, settings);
-        touches_.findImpacts(h * i,
-                             [this](SlotIndex slot) { return moves(slot) ? 1 / bodies_[slot].mass : 0; });
+        findImpacts(h * i);
     }
     lookAtFast(h);
     if (settings.sleeping) {
         findRest(duration);
     }
     noteMoved();
+}
+
+void SubsteppedEngine::noteVelocities() {
+    if (touches_.impactsWanted()) {
+        atStart_.resize(bodies_.size());
+        for (SlotIndex slot = 0; slot < bodies_.size(); ++slot) {
+            atStart_[slot] = moves(slot) ? motionOf(slot) : Motion{};
+        }
+    }
+}
+
+void SubsteppedEngine::findImpacts(double since) {
+    if (!touches_.impactsWanted()) {
+        return;
+    }
+    TouchRecord::ImpactScene scene;
+    scene.slots = bodies_.size();
+    scene.before = [this](SlotIndex slot) {
+        if (!moves(slot)) {
+            return ImpactBudget::Body{};
+        }
+        Motion const& motion = atStart_[slot];
+        return ImpactBudget::Body{1 / bodies_[slot].mass, 1 / bodies_[slot].inertia, motion.centre,
+                                  motion.velocity, motion.spin};
+    };
+    scene.lost = [this](SlotIndex slot) {
+        auto const energy = [&](Motion const& motion) {
+            return kineticEnergy(bodies_[slot].mass, bodies_[slot].inertia, motion.velocity, motion.spin);
+        };
+        return energy(atStart_[slot]) - energy(motionOf(slot));
+    };
+    for (JointEntry const& joint : joints_) {
+        if (joint.used) {
+            scene.joined.emplace_back(joint.a, joint.b);
+        }
+    }
+    touches_.findImpacts(since, scene);
 }
 
 void SubsteppedEngine::substep(double h, DynamicsSettings const& settings) {

@@ -60,10 +60,11 @@ void TouchRecord::noteImpacts(bool wanted) {
     impactsWanted_ = wanted;
 }
 
-void TouchRecord::findImpacts(double since, std::function<double(SlotIndex)> const& inverseMass) {
+void TouchRecord::findImpacts(double since, ImpactScene const& scene) {
     if (!impactsWanted_) {
         return;
     }
+    budget_.begin();
     for (PieceContact const& contact : contacts_) {
         ContactPatch const& patch = contact.patch;
         double sum = 0;
@@ -71,15 +72,43 @@ void TouchRecord::findImpacts(double since, std::function<double(SlotIndex)> con
             sum += patch.normalImpulse[i];
         }
         double const newImpulse = pressures_.press(contact.key, sum);
-        if (!(newImpulse * (inverseMass(contact.slotA) + inverseMass(contact.slotB)) > faintestImpact)) {
+        if (!(newImpulse > 0)) {
+            continue;
+        }
+        ImpactBudget::Body const a = scene.before(contact.slotA);
+        ImpactBudget::Body const b = scene.before(contact.slotB);
+        if (!(newImpulse * (a.inverseMass + b.inverseMass) > faintestImpact)) {
             continue;
         }
         Impact impact{patch.a, patch.b, {}, patch.normal, newImpulse, since};
         for (std::size_t i = 0; i < static_cast<std::size_t>(patch.count); ++i) {
             impact.point += patch.normalImpulse[i] / sum * patch.points[i];
         }
-        impacts_.push_back(impact);
+        budget_.add(impact, a.inverseMass > 0 ? contact.slotA : contact.slotB, a, b);
     }
+    if (budget_.exceeded()) {
+        budget_.reset(scene.slots);
+        auto const moves = [&](SlotIndex slot) {
+            return slot != noSlot && scene.before(slot).inverseMass > 0;
+        };
+        auto const link = [&](SlotIndex a, SlotIndex b) {
+            if (moves(a) && moves(b)) {
+                budget_.link(a, b);
+            }
+        };
+        for (PieceContact const& contact : contacts_) {
+            link(contact.slotA, contact.slotB);
+        }
+        for (auto const& [a, b] : scene.joined) {
+            link(a, b);
+        }
+        for (SlotIndex slot = 0; slot < scene.slots; ++slot) {
+            if (moves(slot)) {
+                budget_.lose(slot, scene.lost(slot));
+            }
+        }
+    }
+    budget_.settle(impacts_);
 }
 
 } // namespace trembler

@@ -1,7 +1,7 @@
 // Keeps contacts between substeps: for engines that only report the contacts of the current step.
 #pragma once
 
-#include "physics/dynamics/core/engine.hpp"
+#include "physics/dynamics/engines/impact_budget.hpp"
 
 #include <functional>
 
@@ -40,9 +40,19 @@ public:
 
     void noteImpacts(bool wanted);
     void startStep() { impacts_.clear(); }
+    [[nodiscard]] bool impactsWanted() const { return impactsWanted_; }
+    /// What finding impacts needs to know of the bodies.
+    struct ImpactScene {
+        std::size_t slots = 0;
+        /// The body in a slot at the beginning of the substep.
+        std::function<ImpactBudget::Body(SlotIndex)> before;
+        /// The kinetic energy, in J, that the movable body in a slot has lost in the substep.
+        std::function<double(SlotIndex)> lost;
+        /// The slots of bodies that joints connect; one of the two may be noSlot.
+        std::vector<std::pair<SlotIndex, SlotIndex>> joined;
+    };
     /// Finds the impacts of a substep that began `since` (s) after the step's beginning; call after take().
-    /// `inverseMass` returns 1/kg by slot.
-    void findImpacts(double since, std::function<double(SlotIndex)> const& inverseMass);
+    void findImpacts(double since, ImpactScene const& scene);
     [[nodiscard]] std::span<Impact const> impacts() const { return impacts_; }
 
 private:
@@ -53,6 +63,7 @@ private:
     std::vector<TouchChange> changes_;
     bool impactsWanted_ = false;
     ImpactBook pressures_;
+    ImpactBudget budget_;
     std::vector<Impact> impacts_;
 };
 

@@ -69,6 +69,102 @@ TEST_F(Mods, AScriptThatFailsInATestFailsTheCheckWithItsLine) {
     EXPECT_TRUE(contains(checked.out, "the parameter 'force' has no effect")) << checked.out;
 }
 
+// Each script differs in one condition from one that is applied.
+TEST_F(Mods, AScriptThatNeverRanIsReportedWithTheReason) {
+    makeMod("my-mod", folder.string());
+    std::string const script = contentsOf(at("my-mod/interactions/push.lua"));
+    auto const interaction = [](std::string const& name, std::string const& selection) {
+        return "return interaction { name = \"Dynamics <- " + name +
+               "\", text = \"Tries.\", calls = \"Dynamics\", reads = {},\n" + selection +
+               ",\napply = function(a, b, params, out) end }\n";
+    };
+    struct Case {
+        std::string selection;
+        std::string why; // empty: it is applied
+    };
+    std::vector<Case> const cases{
+        {"each = { \"Velocity\" }", ""},
+        {"once = true", ""},
+        {"pairs = { first = { \"Velocity\" }, second = { \"Fixed\" }, touching = true }", ""},
+        {"pairs = { first = { \"Velocity\" }, second = { \"Fixed\" }, within = 50 }", ""},
+        {"each = { \"Charge\" }", "no object has 'Charge'"},
+        {"each = { \"Velocity\", \"Fixed\" }", "no object has 'Velocity' and 'Fixed' at once"},
+        {"attached = true, each = { \"Velocity\" }", "no object names 'Dynamics <- CASE' under \"scripts\""},
+        {"pairs = { first = { \"Velocity\", \"Fixed\" }, second = { \"Mass\" }, within = 1 }",
+         "no object has 'Velocity' and 'Fixed' at once"},
+        {"pairs = { first = { \"Mass\" }, second = { \"Velocity\", \"Fixed\" }, within = 1 }",
+         "no object has 'Velocity' and 'Fixed' at once, as the second of a pair must"},
+        {"pairs = { first = { \"Velocity\" }, second = { \"Velocity\" }, touching = true }",
+         "no two of its objects touch each other"},
+        {"pairs = { first = { \"Velocity\" }, second = { \"Velocity\" }, within = 2.5 }",
+         "no two of its objects come within 2.5 m of each other"},
+        {"pairs = { first = { \"Velocity\" }, second = { \"Velocity\" }, within = \"reach\" }, params = { "
+         "reach = { "
+         "default = 2, min = 0, max = 3, text = \"Far\", unit = \"m\" } }",
+         "come as near to each other as 'reach' states"},
+    };
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+        write(at("my-mod/interactions/case-" + std::to_string(i) + ".lua"),
+              interaction("case " + std::to_string(i), cases[i].selection));
+    }
+    Ran const checked = run({"mod", "check", at("my-mod")});
+    EXPECT_EQ(checked.status, 0) << "a warning, as it may be meant\n" << checked.out << checked.err;
+    std::size_t reported = 0;
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+        std::string const name = "case " + std::to_string(i);
+        std::string const never = "case-" + std::to_string(i) + ".lua:1:22: 'Dynamics <- " + name +
+                                  "' never ran, as it is applied to nothing in 2 levels and tests";
+        std::string why = cases[i].why;
+        if (std::size_t const place = why.find("CASE"); place != std::string::npos) {
+            why.replace(place, 4, name);
+        }
+        std::size_t const line = checked.out.find(never);
+        EXPECT_EQ(line == std::string::npos, why.empty()) << never << "\n" << checked.out;
+        reported += why.empty() ? 0 : 1;
+        if (line != std::string::npos) {
+            EXPECT_TRUE(contains(checked.out.substr(line, checked.out.find('\n', line) - line), why))
+                << why << "\n"
+                << checked.out.substr(line, 300);
+        }
+    }
+    EXPECT_EQ(reported, 8U);
+    EXPECT_FALSE(contains(checked.out, "'Dynamics <- my-mod' never ran")) << checked.out;
+}
+
+// Found by a solution only, and reasons that differ between levels.
+TEST_F(Mods, AScriptThatRunsInASolutionHasRun) {
+    makeMod("my-mod", folder.string());
+    replace(at("my-mod/levels/1-push.json"),
+            "\"scripts\": [{\"script\": \"Dynamics <- my-mod\", \"set\": [{\"param\": \"force\", \"number\": "
+            "20}]}]",
+            "\"velocity\": [5, 0]");
+    Ran const one = run({"mod", "check", at("my-mod")});
+    EXPECT_FALSE(contains(one.out, "never ran")) << "the test still names it\n" << one.out;
+    replace(at("my-mod/tests/push.json"),
+            "\"scripts\": [{\"script\": \"Dynamics <- my-mod\", \"set\": [{\"param\": \"force\", \"number\": "
+            "20}]}]",
+            "\"velocity\": [5, 0]");
+    Ran const none = run({"mod", "check", at("my-mod")});
+    EXPECT_TRUE(contains(none.out, "push.lua:3:3: 'Dynamics <- my-mod' never ran")) << none.out;
+    EXPECT_TRUE(contains(none.out, "no object names 'Dynamics <- my-mod' under \"scripts\"")) << none.out;
+    EXPECT_TRUE(contains(none.out, " 1 warning,")) << none.out;
+}
+
+TEST_F(Mods, AFolderWhoseNameNoModMayHaveIsNotSuggestedForItself) {
+    makeMod("my-mod", folder.string());
+    fs::rename(folder / "my-mod", folder / "m_base");
+    Ran const checked = run({"mod", "check", at("m_base")});
+    EXPECT_EQ(checked.status, 2);
+    EXPECT_TRUE(contains(checked.err, "'m_base' cannot be the name of a mod")) << checked.err;
+    EXPECT_TRUE(contains(checked.err, "small letters, digits and -")) << checked.err;
+    EXPECT_FALSE(contains(checked.err, "did you mean")) << checked.err;
+    write(at("level.json"), R"({"version": 2, "title": "a", "mods": ["m_base"], "objects": []})");
+    Ran const ran = run({"run", at("level.json"), "--frames", "1", "--mod", folder.string()});
+    EXPECT_EQ(ran.status, 2);
+    EXPECT_TRUE(contains(ran.err, "'m_base' cannot be the name of a mod")) << ran.err;
+    EXPECT_FALSE(contains(ran.err, "did you mean")) << ran.err;
+}
+
 TEST_F(Mods, AreFoundBesideALevelInTheUsersFolderAndWhereTheyAreStated) {
     makeMod("my-mod", at("elsewhere"));
     fs::create_directories(folder / "pack");
@@ -114,12 +210,13 @@ TEST_F(Mods, NoCommandThatReadsAModReplacesItsFiles) {
                  {"report", level, "--brief", "--runs", "0", "--drops", "0", "--json", file},
                  {"report", level, "--brief", "--runs", "0", "--drops", "0", "--resume", file},
                  {"solve", level, "--runs", "1", "--json", file},
-                 {"solve", level, level, "--runs", "1", "--markdown", file},
+                 {"solve", level, at("my-mod/tests/push.json"), "--runs", "1", "--markdown", file},
                  {"why", level, "--frames", "2", "--json", file},
                  {"run", level, "--frames", "2", "--json", file}}) {
             Ran const ran = run(command);
             EXPECT_EQ(ran.status, 2) << command.front() << " " << name;
-            EXPECT_TRUE(contains(ran.err, "not overwritten")) << ran.err;
+            EXPECT_TRUE(contains(ran.err, "not overwritten") || contains(ran.err, "the file will hold"))
+                << ran.err;
             EXPECT_EQ(contentsOf(file), before) << command.front() << " " << name;
         }
     }
@@ -134,7 +231,8 @@ TEST_F(Mods, AModWithAMistakeIsNotReplacedByTheReportOnIt) {
         std::string const before = contentsOf(file);
         Ran const ran = run({"verify", level, "--json", file});
         EXPECT_EQ(ran.status, 2) << name;
-        EXPECT_TRUE(contains(ran.err, "not overwritten")) << ran.err;
+        EXPECT_TRUE(contains(ran.err, "not overwritten") || contains(ran.err, "the file will hold"))
+            << ran.err;
         EXPECT_EQ(contentsOf(file), before) << name;
     }
 }

@@ -6,6 +6,8 @@
 #include "tests/game/ui/player.hpp"
 #include "tests/support/read_png.hpp"
 
+#include <fmt/format.h>
+
 #include <fstream>
 #include <set>
 #include <sstream>
@@ -223,6 +225,86 @@ TEST(Program, WithoutADisplayTheRecordedSolutionIsPlayed) {
     std::ostringstream second;
     EXPECT_EQ(playWithoutDisplay(gameData(), options, second), status);
     EXPECT_NE(second.str().find("No picture was made"), std::string::npos) << second.str();
+}
+
+/// A level that names the mod, in a folder of its own.
+std::filesystem::path levelWithMod(std::filesystem::path const& folder, std::string const& name) {
+    auto const file = folder / (name + ".json");
+    std::ofstream(file) << R"({"version": 2, "title": "With a mod", "mods": [")" << name
+                        << R"("], "objects": []})";
+    return file;
+}
+
+// As other levels that cannot be played: from the command line, the catalog, a dropped file, the editor.
+TEST(Program, ALevelWhoseModIsMissingOrBrokenOpensTheWindowWithTheReason) {
+    auto const folder = freshFolder("mods");
+    std::filesystem::create_directories(folder / "mods/broken/interactions");
+    std::ofstream(folder / "mods/broken/mod.json")
+        << R"({"name": "broken", "version": "1", "author": "a", "licence": "l"})";
+    std::ofstream(folder / "mods/broken/interactions/a.lua") << "return interaction {";
+    std::filesystem::create_directories(folder / "mods/torn");
+    std::ofstream(folder / "mods/torn/mod.json") << R"({"name": "torn", )";
+    auto const missing = levelWithMod(folder, "missing");
+    auto const broken = levelWithMod(folder, "broken");
+    auto const torn = levelWithMod(folder, "torn");
+    Player player({1280, 720}, {}, folder);
+    for (auto const& [level, reason] :
+         {std::pair(missing, "'missing'"), std::pair(broken, "a.lua"), std::pair(torn, "mod.json")}) {
+        player.app().showTitle();
+        EXPECT_THROW(player.app().open(level), InputError);
+        render::pushDrop(window(), level);
+        player.frames(3);
+        EXPECT_EQ(player.findPlay(), nullptr);
+        EXPECT_NE(player.app().context().toasts.newest().find(reason), std::string::npos)
+            << player.app().context().toasts.newest();
+        player.app().edit(level);
+        player.frames(3);
+        EXPECT_TRUE(player.going());
+    }
+    player.app().showTitle();
+    player.frames(2);
+    player.clickItem("levels");
+    player.frames(3);
+    for (char const* const level : {"level missing.json", "level broken.json", "level torn.json"}) {
+        EXPECT_TRUE(player.shows(level)) << level;
+        player.clickItem(level);
+        EXPECT_EQ(player.findPlay(), nullptr) << level;
+    }
+    for (CatalogEntry const& entry : player.app().context().levels.groups()[0].levels) {
+        EXPECT_FALSE(entry.trouble.empty()) << entry.id;
+    }
+}
+
+TEST(Program, OfTooManyLevelsTheFirstAreListed) {
+    auto const folder = freshFolder("many");
+    for (int i = 0; i < 10'020; ++i) {
+        std::ofstream(folder / fmt::format("{:05}.json", i)) << "{";
+    }
+    LevelCatalog const catalog(gameData().registry, folder);
+    EXPECT_EQ(catalog.size(), 10'000U);
+    ASSERT_EQ(catalog.groups().size(), 1U);
+    EXPECT_EQ(catalog.groups()[0].levels.back().id, "09999.json");
+    EXPECT_NE(catalog.groups()[0].text.find("20 are not listed"), std::string::npos);
+    std::filesystem::remove_all(folder);
+}
+
+TEST(Program, SmallPicturesOfLevelsAreLimited) {
+    render::Canvas canvas;
+    LevelPictures pictures(gameData().registry, gameData().parts, canvas, {}, 3);
+    std::vector<CatalogEntry> levels;
+    for (int i = 0; i < 5; ++i) {
+        levels.push_back({firstContact, std::to_string(i), "", ""});
+    }
+    for (CatalogEntry const& level : levels) {
+        pictures.beginFrame();
+        EXPECT_NE(pictures.texture(level, {40, 30}), 0U);
+        EXPECT_LE(pictures.kept(), 3U);
+    }
+    pictures.beginFrame();
+    EXPECT_NE(pictures.texture(levels[4], {40, 30}), 0U);
+    pictures.beginFrame();
+    EXPECT_NE(pictures.texture(levels[0], {40, 30}), 0U) << "it is drawn again";
+    EXPECT_EQ(pictures.kept(), 3U);
 }
 
 } // namespace

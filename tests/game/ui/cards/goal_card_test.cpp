@@ -47,9 +47,7 @@ TEST(GoalCard, KeepsItsHeadingWhileItsContentScrolls) {
     changeSettings(player.app().context(), {.uiScale = 1.6F, .reducedMotion = true, .language = "en"});
     player.open(levelsFolder() / "first/1-first-contact.json");
     player.frames(4);
-    for (int hint = 0; hint < 3; ++hint) {
-        player.key(SDLK_h);
-    }
+    player.clickItem("story"); // hidden at first, as there is little room
     player.frames(8);
     auto const headingOf = [](std::vector<DrawnText> const& texts) {
         return std::find_if(texts.begin(), texts.end(),

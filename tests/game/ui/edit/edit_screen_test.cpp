@@ -99,9 +99,10 @@ TEST(Editor, JoinsAndConnectsByDragging) {
     designer.drag(designer.on({-2.3, 0.875}), designer.on({-1.3, 0.875}));
     EXPECT_EQ(designer.count("connections"), connections + 1);
     designer.key(SDLK_6);
-    designer.drag(designer.on({1.7, 3.1}), designer.on({1.7, 2.3}));
+    designer.drag(designer.on({1.7, 3.1}), designer.on(ball));
     ASSERT_EQ(designer.count("joints"), 1U);
     EXPECT_EQ(designer.tree()["joints"][0]["a"], "beam");
+    EXPECT_EQ(designer.tree()["joints"][0]["b"], "iron ball");
     EXPECT_EQ(designer.parts().selection.kind(), EntryKind::joint);
     designer.look("edit-joint");
     designer.key(SDLK_DELETE);
@@ -119,6 +120,7 @@ TEST(Editor, PlacesPartsOfTheCatalogueAndDrawsAreas) {
     designer.key(SDLK_8);
     designer.drag(designer.on({0.2, 0.5}), designer.on({1, 1}));
     EXPECT_EQ(designer.count("placing"), areas + 1);
+    designer.key(SDLK_ESCAPE); // the tool stays until then
     designer.drag(designer.on({1, 1}), designer.on({1.2, 1.3}));
     auto const area = designer.tree()["placing"].back();
     EXPECT_NEAR(area[2].get<double>(), 1.0, 1e-9);
@@ -136,7 +138,7 @@ TEST(Editor, DrawsAreasOfManyCorners) {
     }
     ASSERT_EQ(designer.count("placing"), areas + 1);
     EXPECT_EQ(designer.tree()["placing"].back().size(), 3U);
-    EXPECT_TRUE(designer.parts().tool == Tool::select);
+    EXPECT_EQ(designer.parts().tool, Tool::placing) << "for the next area";
 }
 
 TEST(Editor, GoesOnAfterSaving) {

@@ -18,7 +18,8 @@ inline std::string textOfFile(std::filesystem::path const& file) {
 
 class Designer : public Player {
 public:
-    explicit Designer(render::Size size = {1280, 720}) : Player(size) {}
+    explicit Designer(render::Size size = {1280, 720}, std::filesystem::path profile = {})
+        : Player(size, std::move(profile)) {}
 
     /// A copy of a level in the test's own folder, opened.
     std::filesystem::path editCopyOf(std::filesystem::path const& level) {

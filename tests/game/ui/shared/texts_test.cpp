@@ -251,7 +251,7 @@ TEST(Texts, FollowTheLanguage) {
     useLanguage("de");
     EXPECT_EQ(languageInUse(), "de");
     EXPECT_STREQ(text("menu.back"), "Zurück");
-    EXPECT_EQ(textWith("builds.not_kept", "x"), "Was du gebaut hast, lässt sich nicht aufheben: x");
+    EXPECT_EQ(textWith("kept.gone", "x"), "x fehlte, also wird die letzte gute Fassung benutzt.");
     EXPECT_STREQ(words::toolbox, "Kasten");
     EXPECT_STREQ(words::nextLevel, "Nächstes Level");
     EXPECT_EQ(words::solvedWith(3.25, 2), "Gelöst nach 3,2 s mit 2 Teilen");

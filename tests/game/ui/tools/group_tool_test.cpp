@@ -98,10 +98,28 @@ TEST_F(Several, AreMirroredTogether) {
     expectAt(0, {b.x, a.y});
 }
 
-TEST_F(Several, AForbiddenPlaceChangesNothing) {
+TEST_F(Several, AForbiddenPlaceChangesNothingAndTheyStayInTheHand) {
+    Vec2 const forbidden{0.5, 3.9};
     player.key(SDLK_a, KMOD_LCTRL);
-    player.drag(player.at(b), player.at({0.5, 3.9}));
+    player.drag(player.at(b), player.at(forbidden));
     expectAt(0, a);
+    expectAt(1, b);
+    EXPECT_TRUE(player.play().group().dragging());
+    player.key(SDLK_ESCAPE);
+    EXPECT_FALSE(player.play().group().dragging());
+    expectAt(1, b);
+    player.drag(player.at(b), player.at(forbidden));
+    player.moveTo(player.at(b + Vec2{0.5, 0.2}));
+    EXPECT_TRUE(player.play().group().verdict().ok);
+    player.click(player.at(b + Vec2{0.5, 0.2}));
+    EXPECT_FALSE(player.play().group().dragging());
+    expectAt(0, a + Vec2{0.5, 0.2});
+    expectAt(1, b + Vec2{0.5, 0.2});
+    player.key(SDLK_z, KMOD_LCTRL);
+    expectAt(1, b);
+    player.drag(player.at(b), player.at(forbidden));
+    player.click(player.at({2, 2.8}), MouseButton::Right);
+    EXPECT_FALSE(player.play().group().dragging());
     expectAt(1, b);
     player.drag(player.at(b), player.item("part spanner"));
     EXPECT_TRUE(placed().empty()) << "onto the toolbox";

@@ -100,7 +100,13 @@ TEST(FrameLimits, PerObjectAreOfEachTurn) {
 
 TEST(FrameLimits, LogLinesAreOfAFrame) {
     std::string const source = limitedScript("log_lines = 3", "log(store.script.turns)");
-    EXPECT_EQ(PartedWorld(source, 8, Trust::untrusted).after(2), "1\n2\n3\n9\n10\n11\n");
+    std::string const note = "... further lines of this frame are left out; 'log_lines' in limits is 3\n";
+    EXPECT_EQ(PartedWorld(source, 8, Trust::untrusted).after(2), "1\n2\n3\n" + note + "9\n10\n11\n" + note);
+    // Exactly as many lines as the limit: nothing is left out, and nothing is said.
+    EXPECT_EQ(PartedWorld(source, 2, Trust::untrusted).after(1), "1\n2\n");
+    EXPECT_EQ(
+        PartedWorld(limitedScript("log_lines = 2", "log(store.script.turns)"), 2, Trust::untrusted).after(1),
+        "1\n2\n");
 }
 
 // About half of the memory that a frame may allocate, in each turn.

@@ -1,10 +1,13 @@
 // Impacts compared with the conservation of momentum.
 #include "physics/dynamics/properties/impacts.hpp"
+#include "physics/dynamics/properties/shapes/mass_properties.hpp"
 #include "tests/physics/dynamics/scene.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <random>
 
 namespace trembler {
 namespace {
@@ -84,6 +87,116 @@ TEST_P(ImpactsTest, AConstantForceIsNoImpact) {
     }
     impactsIn(scene, 30); // they settle
     EXPECT_TRUE(impactsIn(scene, 300).empty());
+}
+
+double kineticEnergy(Scene const& scene, ObjectId id) {
+    Shape const& shape = *scene.world->find<Shape>(id);
+    double const inertia = scene.mass(id) * massPropertiesOf(shape).inertiaPerMass;
+    return 0.5 *
+           (scene.mass(id) * lengthSquared(scene.velocity(id)) + inertia * scene.spin(id) * scene.spin(id));
+}
+
+TEST_P(ImpactsTest, PartsThatBeginInContactDoNotCollide) {
+    for (double const overlap : {0.0, 0.002, 0.03}) {
+        Scene scene;
+        Subscription const wantedImpacts = scene.world->want<Impacts>();
+        ObjectId const floor = scene.fixed("floor", boxPiece(10, 1), {0, -0.5});
+        for (int i = 0; i < 6; ++i) {
+            scene.body("box " + std::to_string(i), boxPiece(0.5, 0.5), {0, 0.25 + (0.5 - overlap) * i});
+        }
+        scene.body("beside", boxPiece(0.5, 0.5), {0.5 - overlap, 0.25});
+        scene.run(1);
+        double lightest = 1e9;
+        for (ObjectId const id : scene.world->store().column<Mass>().owners()) {
+            lightest = id == floor ? lightest : std::min(lightest, scene.mass(id));
+        }
+        for (Impact const& impact : scene.world->find<Impacts>()->impacts) {
+            EXPECT_LT(impact.impulse, 0.5 * lightest) << overlap; // none reverses 25 cm/s
+        }
+    }
+}
+
+// A motor of great strength turns a bar against a fixed block, and presses for ever.
+TEST_P(ImpactsTest, ABlockedMotorHitsOnceAndThenPresses) {
+    Scene scene;
+    scene.gravity = 0;
+    Subscription const wantedImpacts = scene.world->want<Impacts>();
+    ObjectId const bar = scene.body("bar", boxPiece(1, 0.1), {0, 0});
+    scene.fixed("block", boxPiece(0.1, 0.1), {0.45, 0.2});
+    Joint joint;
+    joint.a = bar;
+    joint.motor = true;
+    joint.motorSpeed = 0.5;
+    joint.motorStrength = 1e4;
+    scene.joint("axle", joint);
+    std::vector<Impact> const impacts = impactsIn(scene, 120);
+    ASSERT_FALSE(impacts.empty()) << "it arrives at 0.5 rad/s";
+    Shape const& shape = *scene.world->find<Shape>(bar);
+    double const inertia = scene.mass(bar) * massPropertiesOf(shape).inertiaPerMass;
+    double const energy = 0.5 * inertia * 0.5 * 0.5;
+    double const arm = 0.45;
+    for (Impact const& impact : impacts) {
+        double const inverse = 1 / scene.mass(bar) + arm * arm / inertia;
+        EXPECT_LT(impact.impulse * impact.impulse * inverse / 2, 5 * energy)
+            << "the motor's strength is no impact";
+    }
+    EXPECT_TRUE(impactsIn(scene, 120).empty()) << "a pressure";
+}
+
+// Bodies fall, overlap at the start, are tied by joints that do not fit and driven by motors: no impact has
+// more energy than there was in the world at the beginning of its frame, plus what forces and motors added.
+TEST_P(ImpactsTest, NoneExceedsTheEnergyThatWasThere) {
+    for (unsigned seed = 0; seed < 6; ++seed) {
+        std::mt19937 random(seed);
+        auto const between = [&](double low, double high) {
+            return low + (high - low) * static_cast<double>(random() >> 8U) * 0x1p-24;
+        };
+        Scene scene;
+        Subscription const wantedImpacts = scene.world->want<Impacts>();
+        scene.fixed("floor", boxPiece(10, 1), {0, -0.5});
+        std::vector<ObjectId> bodies;
+        for (int i = 0; i < 8; ++i) {
+            Vec2 const at{between(-0.6, 0.6), between(0.1, 1.2)};
+            bodies.push_back(i % 2 == 0 ? scene.ball(at, between(0.05, 0.2))
+                                        : scene.body("box " + std::to_string(i),
+                                                     boxPiece(between(0.1, 0.5), between(0.1, 0.5)), at,
+                                                     between(0, 3)));
+        }
+        double motors = 0; // J per second at most
+        for (int i = 0; i < 2; ++i) {
+            Joint joint;
+            joint.a = bodies[static_cast<std::size_t>(i)];
+            joint.at = scene.at(joint.a);
+            joint.motor = true;
+            joint.motorSpeed = between(-3, 3);
+            joint.motorStrength = between(1, 50);
+            motors += joint.motorStrength * std::abs(joint.motorSpeed);
+            scene.joint("motor " + std::to_string(i), joint);
+        }
+        for (int frame = 0; frame < 60; ++frame) {
+            double energy = 0;
+            std::vector<double> speeds;
+            for (ObjectId const id : bodies) {
+                energy += frame == 0 ? 0 : kineticEnergy(scene, id);
+                speeds.push_back(frame == 0 ? 0 : length(scene.velocity(id)));
+            }
+            scene.run(1);
+            double fall = 0; // what gravity can have added
+            for (std::size_t i = 0; i < bodies.size(); ++i) {
+                fall += scene.mass(bodies[i]) * scene.gravity * (speeds[i] + scene.gravity / 60) / 60;
+            }
+            double const there = energy + fall + motors / 60;
+            for (Impact const& impact : scene.world->find<Impacts>()->impacts) {
+                double inverse = 0;
+                for (ObjectId const id : {impact.a, impact.b}) {
+                    bool const moves = std::find(bodies.begin(), bodies.end(), id) != bodies.end();
+                    inverse += moves ? 1 / scene.mass(id) : 0;
+                }
+                EXPECT_LE(impact.impulse * impact.impulse * inverse / 2, 4 * there * 1.05 + 1e-9)
+                    << "seed " << seed << ", frame " << frame;
+            }
+        }
+    }
 }
 
 TEST_P(ImpactsTest, LaterReadersGetOnlyNewImpacts) {

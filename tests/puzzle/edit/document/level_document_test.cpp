@@ -131,8 +131,14 @@ TEST(LevelDocument, SavesWithoutLosingAnothersChanges) {
     document.run(setTitle(document.tree(), "mine again"));
     EXPECT_EQ(document.save().kind, SaveResult::Kind::conflict);
     EXPECT_EQ(fileText(file), "theirs");
+    EXPECT_FALSE(fs::exists(file.string() + ".damaged-1")) << "nothing is moved for a question";
     EXPECT_TRUE(document.save(LevelDocument::Overwrite::yes).ok());
     EXPECT_EQ(fileText(file), document.text());
+    EXPECT_EQ(fileText(file.string() + ".damaged-1"), "theirs") << "it is no level, but somebody's work";
+    std::string const before = document.text();
+    document.run(setTitle(document.tree(), "mine once more"));
+    ASSERT_TRUE(document.save().ok());
+    EXPECT_EQ(fileText(file.string() + "~"), before);
 
     fs::path const other = file.parent_path() / "other.json";
     writeText(other, "there");

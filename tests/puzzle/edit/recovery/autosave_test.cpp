@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <csignal>
 #include <random>
 #include <sys/wait.h>
@@ -170,6 +171,51 @@ TEST(Autosave, SeesThatTheLevelChangedSince) {
     ASSERT_TRUE(found);
     EXPECT_TRUE(found->changedSince);
     EXPECT_EQ(recover(editData(), *found).save().kind, SaveResult::Kind::conflict);
+}
+
+TEST(Autosave, ADamagedRecoveryIsMovedAsideAndTheLastGoodOneTaken) {
+    fs::path const folder = testFolder();
+    LevelDocument document = smallDocument();
+    fs::path file;
+    {
+        Autosave autosave(folder / "recovery");
+        for (char const* const title : {"first", "second"}) {
+            document.run(setTitle(document.tree(), title));
+            autosave.flush(document);
+        }
+        file = autosave.file();
+        autosave.abandon();
+    }
+    for (std::uintmax_t const size : {fs::file_size(file) - 1, std::uintmax_t{20}, std::uintmax_t{0}}) {
+        fs::resize_file(file, size);
+        std::vector<DamagedFile> damaged;
+        auto const found = findRecovery(folder / "recovery", {}, &damaged);
+        ASSERT_TRUE(found) << size;
+        EXPECT_EQ(found->title, "first");
+        ASSERT_EQ(damaged.size(), 1U);
+        EXPECT_EQ(fs::file_size(damaged[0].aside), size);
+        EXPECT_EQ(findRecoveries(folder / "recovery").size(), 1U);
+    }
+    discard(*findRecovery(folder / "recovery", {}));
+    EXPECT_TRUE(findRecoveries(folder / "recovery").empty());
+}
+
+TEST(Autosave, IsTriedAgainUntilItIsWritten) {
+    fs::path const folder = testFolder();
+    writeText(folder / "recovery", "a file, not a folder");
+    LevelDocument document = smallDocument();
+    document.run(setTitle(document.tree(), "x"));
+    Autosave autosave(folder / "recovery");
+    autosave.tick(document, 2);
+    ASSERT_TRUE(autosave.error());
+    EXPECT_EQ(autosave.error()->error(), ENOTDIR);
+    EXPECT_EQ(autosave.error()->file(), folder / "recovery");
+    fs::remove(folder / "recovery");
+    autosave.tick(document, 0.5);
+    EXPECT_TRUE(autosave.error()) << "not yet";
+    autosave.tick(document, 0.5);
+    EXPECT_FALSE(autosave.error());
+    EXPECT_TRUE(fs::exists(autosave.file()));
 }
 
 TEST(Autosave, SaysWhatWentWrongAndIgnoresOtherFiles) {

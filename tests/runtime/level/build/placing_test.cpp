@@ -42,6 +42,15 @@ protected:
     PartLibrary library;
 };
 
+TEST_F(Placing, OfAnUnlimitedPartHasNoEnd) {
+    LevelFile const any = sample::read(registry, R"({"version": 2, "title": "t", "objects": [], "toolbox": [)"
+                                                 R"({"part": "crate", "count": "unlimited"}]})");
+    PlacementCount count(any, library);
+    for (int i = 0; i < 5000; ++i) { // five times as many as a number may state
+        ASSERT_EQ(count.add(at(i, 0)).value_or(""), "") << i;
+    }
+}
+
 TEST_F(Placing, OfAnUnknownPartIsReportedWithASimilarName) {
     LevelFile const any = level("");
     EXPECT_SAYS(refusal(any, at(0, 0, "crat")), "crat");

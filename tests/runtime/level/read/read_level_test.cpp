@@ -1,4 +1,5 @@
 #include "runtime/level/build/build_world.hpp"
+#include "runtime/level/write/write_level.hpp"
 #include "runtime/placement.hpp"
 #include "tests/runtime/level/sample_properties.hpp"
 
@@ -22,6 +23,33 @@ protected:
     }
     Registry registry;
 };
+
+TEST_F(ReadLevel, CountsOfAToolboxMayBeUnlimited) {
+    std::string const text = R"({"version": 2, "title": "t", "objects": [], "toolbox": [
+        {"part": "a", "count": "unlimited"}, {"part": "b", "count": 3}, {"wire": "unlimited"}]})";
+    LevelFile const level = sample::read(registry, text);
+    EXPECT_EQ(level.toolbox.at(0).count, unlimitedCount);
+    EXPECT_EQ(level.toolbox.at(1).count, 3);
+    EXPECT_EQ(level.wires, unlimitedCount);
+    auto const written = writeLevel(level);
+    EXPECT_EQ(written["toolbox"], nlohmann::ordered_json::parse(text)["toolbox"]);
+    LevelFile const again = sample::read(registry, written.dump());
+    EXPECT_EQ(again.wires, unlimitedCount);
+    EXPECT_EQ(again.toolbox.at(0).count, unlimitedCount);
+}
+
+TEST_F(ReadLevel, OtherWordsAndNumbersAreNoCounts) {
+    for (char const* const wrong : {"\"endless\"", "\"Unlimited\"", "\"\"", "0", "-1", "1001", "2147483647",
+                                    "1.5", "true", "null", "[]", "{}"}) {
+        for (std::string const entry : {std::string(R"({"part": "a", "count": )") + wrong + "}",
+                                        std::string(R"({"wire": )") + wrong + "}"}) {
+            auto const problems = problemsWith("\"toolbox\": [" + entry + "]");
+            ASSERT_EQ(problems.size(), 1U) << entry;
+            EXPECT_NE(problems[0].find("from 1 to 1000"), std::string::npos) << problems[0];
+        }
+    }
+    EXPECT_EQ(problemsWith(R"("toolbox": [{"wire": "unlimited"}, {"wire": 2}])").size(), 1U);
+}
 
 TEST_F(ReadLevel, ReadsEverySection) {
     LevelFile const level = sample::read(registry, R"({

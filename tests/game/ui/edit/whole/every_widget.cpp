@@ -120,16 +120,24 @@ std::vector<std::string> EveryWidget::choicesOf(std::string const& item) {
 
 void EveryWidget::chooseOrType(std::string const& item) {
     designer_.frames(2); // a list that drops down has its size then
+    auto const toTop = [&] { // a long list shows its present entry first
+        if (designer_.parts().dropDown.open()) {
+            designer_.key(SDLK_HOME);
+            designer_.frames(1);
+        }
+    };
+    toTop();
     std::vector<std::string> const choices = choicesOf(item);
     for (std::string const& choice : choices) {
         if (!designer_.shows(choice)) { // closed by the choice before
             designer_.clickItem(item);
             designer_.frames(4);
         }
-        if (!designer_.shows(choice)) { // it had been open, and was closed by that
+        if (!designer_.shows(choice) && !designer_.parts().dropDown.open()) { // closed by that
             designer_.clickItem(item);
             designer_.frames(4);
         }
+        toTop();
         if (designer_.shows(choice)) {
             designer_.clickItem(choice);
             takeBack();

@@ -71,12 +71,12 @@ TEST(EditorKeyboard, WiresBetweenSelectedObjects) {
             designer.key(SDLK_TAB);
         }
     };
-    selectByTab("left post");
-    ASSERT_EQ(designer.parts().selected(), std::vector<std::string>{"left post"});
-    for (int i = 0; i < 30 && !designer.parts().selection.has("right post"); ++i) {
+    selectByTab("left contact");
+    ASSERT_EQ(designer.parts().selected(), std::vector<std::string>{"left contact"});
+    for (int i = 0; i < 30 && !designer.parts().selection.has("right contact"); ++i) {
         designer.key(SDLK_TAB, KMOD_LCTRL);
     }
-    designer.parts().selection.set({"left post", "right post"});
+    designer.parts().selection.set({"left contact", "right contact"});
     designer.key(SDLK_7);
     designer.key(SDLK_7);
     EXPECT_EQ(designer.count("connections"), connections + 1);

@@ -26,7 +26,8 @@ protected:
     fs::path const folder = testFolder() / "films";
     Recorder recorder{folder};
     render::Toasts toasts;
-    Film film{recorder, toasts};
+    PendingWrites pending{toasts};
+    Film film{recorder, toasts, pending};
     int read = 0; // pictures
 };
 
@@ -94,9 +95,24 @@ TEST_F(Films, EndIfTheyCannotBeWritten) {
     film.toggle();
     EXPECT_FALSE(film.recording());
     EXPECT_EQ(toasts.count(), 2U) << "that it begins, and the reason of the failure";
+    EXPECT_NE(toasts.newest().find("The clip cannot be saved"), std::string::npos) << toasts.newest();
     film.toggle();
     EXPECT_FALSE(film.recording()) << "another one cannot begin either";
     fs::remove(folder);
+    pending.pass(PendingWrites::patience);
+    EXPECT_TRUE(fs::exists(folder / "clip-1.webp")) << "it was kept in memory";
+    EXPECT_EQ(pending.waiting(), 0U);
+}
+
+TEST_F(Films, PicturesThatCannotBeWrittenAreTriedAgain) {
+    std::ofstream(folder) << "not a folder";
+    film.wantPicture();
+    take(false);
+    EXPECT_NE(toasts.newest().find("The picture cannot be saved"), std::string::npos) << toasts.newest();
+    fs::remove(folder);
+    pending.pass(PendingWrites::patience);
+    EXPECT_TRUE(fs::exists(folder / "picture-1.png"));
+    EXPECT_EQ(read, 1) << "it is the picture that was taken";
 }
 
 } // namespace

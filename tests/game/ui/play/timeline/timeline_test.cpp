@@ -50,7 +50,7 @@ TEST(Timeline, ShowsAnyMomentAndComesBackToThePresent) {
     EXPECT_EQ(timeline.frame(), 88U);
     player.key(SDLK_PAGEUP, KMOD_LSHIFT);
     EXPECT_EQ(timeline.frame(), 78U);
-    player.key(SDLK_HOME);
+    player.key(SDLK_HOME, KMOD_LCTRL);
     EXPECT_EQ(timeline.frame(), 0U);
     player.key(SDLK_RIGHT);
     EXPECT_EQ(timeline.frame(), 1U);

@@ -102,8 +102,15 @@ TEST(TouchRecord, RemovingABodyEndsItsContacts) {
     }
 }
 
-double oneKilogramEach(SlotIndex) {
-    return 1;
+// Bodies of 1 kg that do not turn and approach each other at `speed` along the normal of contact().
+TouchRecord::ImpactScene oneKilogramEach(double speed = 1e3) {
+    TouchRecord::ImpactScene scene;
+    scene.slots = 3;
+    scene.before = [speed](SlotIndex slot) {
+        return ImpactBudget::Body{.inverseMass = 1, .centre = {}, .velocity = {0, slot == 0 ? speed : 0}};
+    };
+    scene.lost = [](SlotIndex) { return 0.0; };
+    return scene;
 }
 
 TEST(TouchRecord, AnImpactIsAnIncreaseOfTheImpulse) {
@@ -113,7 +120,7 @@ TEST(TouchRecord, AnImpactIsAnIncreaseOfTheImpulse) {
         std::vector<PieceContact> found{contact(0, 1, 0, impulse)};
         record.take(found, neverRests);
         record.startStep();
-        record.findImpacts(since, oneKilogramEach);
+        record.findImpacts(since, oneKilogramEach());
     };
     substep(3, 0.25);
     ASSERT_EQ(record.impacts().size(), 1U);
@@ -138,17 +145,17 @@ TEST(TouchRecord, ContactsFromBeforeTheFirstRequestAreNoImpacts) {
     std::vector<PieceContact> found{contact(0, 1, 0, 9)};
     record.take(found, neverRests);
     record.noteImpacts(true);
-    record.findImpacts(0, oneKilogramEach);
+    record.findImpacts(0, oneKilogramEach());
     EXPECT_TRUE(record.impacts().empty()) << "the force may have existed before";
     found = {contact(0, 1, 0, 20)};
     record.take(found, neverRests);
-    record.findImpacts(0, oneKilogramEach);
+    record.findImpacts(0, oneKilogramEach());
     EXPECT_LE(record.impacts().size(), 1U);
     record.noteImpacts(false);
     EXPECT_TRUE(record.impacts().empty());
     found = {contact(0, 1, 0, 90)};
     record.take(found, neverRests);
-    record.findImpacts(0, oneKilogramEach);
+    record.findImpacts(0, oneKilogramEach());
     EXPECT_TRUE(record.impacts().empty()) << "impacts are not requested";
 }
 
@@ -161,10 +168,27 @@ TEST(TouchRecord, AnImpactIsAtTheWeightedMeanOfItsPoints) {
     edge.patch.normalImpulse = {3, 1};
     std::vector<PieceContact> found{edge};
     record.take(found, neverRests);
-    record.findImpacts(0.125, oneKilogramEach);
+    record.findImpacts(0.125, oneKilogramEach());
     ASSERT_EQ(record.impacts().size(), 1U);
     EXPECT_EQ(record.impacts()[0].point, (Vec2{1, 0}));
     EXPECT_EQ(record.impacts()[0].impulse, 4);
+}
+
+TEST(TouchRecord, AnImpulseWithoutMotionIsPressure) {
+    for (double const speed : {0.0, -2.0, 0.25}) { // at rest, separating, approaching slowly
+        TouchRecord record;
+        record.noteImpacts(true);
+        std::vector<PieceContact> found{contact(0, 1, 0, 3)};
+        record.take(found, neverRests);
+        record.findImpacts(0, oneKilogramEach(speed));
+        if (speed <= 0) {
+            EXPECT_TRUE(record.impacts().empty()) << speed;
+        } else {
+            ASSERT_EQ(record.impacts().size(), 1U);
+            // The reduced mass is 0.5 kg; reversing the motion takes 2 * 0.5 kg * 0.25 m/s.
+            EXPECT_NEAR(record.impacts()[0].impulse, 0.25, 1e-12);
+        }
+    }
 }
 
 } // namespace
