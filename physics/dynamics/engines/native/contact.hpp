@@ -10,7 +10,7 @@ namespace trembler::native {
 enum class Borne : std::uint8_t { not_at_all, sliding, held };
 
 /// What a substep reads and changes of a body. A fixed body has inverse masses of 0.
-struct MovingState {
+struct alignas(64) MovingState {
     Vec2 velocity;             ///< m/s
     double spin = 0;           ///< rad/s
     double inverseMass = 0;    ///< 1/kg
@@ -73,13 +73,13 @@ struct PointRow {
     Vec2 armB;
     Vec2 reachA; ///< m, to the point of contact, when the contacts were found
     Vec2 reachB;
-    double gap = 0;         ///< m, when the contacts were found
-    double now = 0;         ///< m, at the beginning of this substep
-    double normalMass = 0;  ///< kg
-    double tangentMass = 0; ///< kg
-    double normal = 0;      ///< N s, impulse of this substep
-    double steady = 0;      ///< N s, at which its spring is not compressed
-    double tangent = 0;     ///< N s
+    double gap = 0;           ///< m, when the contacts were found
+    double now = 0;           ///< m, at the beginning of this substep
+    double normalInverse = 0; ///< 1/kg
+    double tangentMass = 0;   ///< kg
+    double normal = 0;        ///< N s, impulse of this substep
+    double steady = 0;        ///< N s, at which its spring is not compressed
+    double tangent = 0;       ///< N s
 };
 
 struct ContactRow {

@@ -107,7 +107,7 @@ bool IslandSolver::strike(ContactRow& row, double slowest) {
     if (!solved) {
         std::size_t const n = row.count == 2 && speed[1] < speed[0] ? 1 : 0;
         impulse = {};
-        impulse[n] = -(1 + row.restitution) * speed[n] * row.points[n].normalMass;
+        impulse[n] = -(1 + row.restitution) * speed[n] / row.points[n].normalInverse;
     }
     Vec2 const across = perpendicular(row.normal);
     for (std::size_t n = 0; n < static_cast<std::size_t>(row.count); ++n) {

@@ -45,7 +45,8 @@ Softness softness(double h) {
 } // namespace
 
 IslandSolver::IslandSolver(NativeEngine& engine, Island const& island, DynamicsSettings const& settings)
-    : engine_(engine), island_(island), settings_(settings) {}
+    : engine_(engine), island_(island), settings_(settings), rows_(engine.rows_), seams_(engine.seamSearch_) {
+}
 
 int IslandSolver::demand(double duration) const {
     if (!engine_.choosesSubsteps_) {
@@ -241,8 +242,8 @@ void IslandSolver::makeRows() {
             double const normalB = cross(point.reachB, row.normal);
             double const acrossA = cross(point.reachA, across);
             double const acrossB = cross(point.reachB, across);
-            point.normalMass = 1 / (mass + stateA.inverseInertia * normalA * normalA +
-                                    stateB.inverseInertia * normalB * normalB);
+            point.normalInverse = (mass + stateA.inverseInertia * normalA * normalA +
+                                   stateB.inverseInertia * normalB * normalB);
             if (n == 1) {
                 row.coupling = mass +
                                stateA.inverseInertia * normalA * cross(row.points[0].reachA, row.normal) +
@@ -318,87 +319,118 @@ void IslandSolver::startRows(double h) {
     }
 }
 
-// Both points of a contact are solved at once: one after the other they would tilt the body a little in each
-// substep. The complementarity problem of two impulses by trying its four cases (E. Catto, Box2D 2.4).
-void IslandSolver::solveNormals(ContactRow& row, double h, Softness const& soft, bool bias) {
-    std::array<double, 2> rest{};  // m/s, what the impulses have to change
-    std::array<double, 2> whole{}; // 1/kg, with softness
-    std::array<double, 2> yield{};
-    for (std::size_t n = 0; n < static_cast<std::size_t>(row.count); ++n) {
-        PointRow const& point = row.points[n];
-        double const inverse = 1 / point.normalMass;
-        double target = 0;
-        if (point.now > 0) {
-            target = point.now / h; // it may just reach the other surface
-        } else if (bias) {
-            target = std::max(soft.bias * point.now, -fastestParting);
-            yield[n] = soft.yield * inverse;
-        }
-        whole[n] = inverse + yield[n];
-        rest[n] = -(normalSpeed(row, point) + target) - yield[n] * (point.normal - point.steady);
+namespace {
+
+// A body's velocity in the registers of a contact's solution.
+struct Speed {
+    Vec2 velocity;
+    double spin = 0;
+    double inverseMass = 0;
+    double inverseInertia = 0;
+
+    explicit Speed(MovingState const& state)
+        : velocity(state.velocity), spin(state.spin), inverseMass(state.inverseMass),
+          inverseInertia(state.inverseInertia) {}
+    void store(MovingState& state) const {
+        state.velocity = velocity;
+        state.spin = spin;
     }
-    PointRow& first = row.points[0];
-    PointRow& second = row.points[1];
-    std::array<double, 2> sum{};
-    if (row.count == 1) {
-        sum[0] = std::max(first.normal + rest[0] / whole[0], 0.0);
-    } else {
-        double const k = row.coupling;
-        double const determinant = whole[0] * whole[1] - k * k;
-        bool solved = false;
-        if (determinant > 1e-6 * whole[0] * whole[1]) {
-            sum = {first.normal + (whole[1] * rest[0] - k * rest[1]) / determinant,
-                   second.normal + (whole[0] * rest[1] - k * rest[0]) / determinant};
-            solved = sum[0] >= 0 && sum[1] >= 0;
-        }
-        if (!solved) {
-            double const alone0 = first.normal + (rest[0] + k * second.normal) / whole[0];
-            double const left1 = rest[1] + whole[1] * second.normal - k * (alone0 - first.normal);
-            double const alone1 = second.normal + (rest[1] + k * first.normal) / whole[1];
-            double const left0 = rest[0] + whole[0] * first.normal - k * (alone1 - second.normal);
-            if (alone0 >= 0 && left1 <= 0) {
-                sum = {alone0, 0};
-            } else if (alone1 >= 0 && left0 <= 0) {
-                sum = {0, alone1};
-            } else if (determinant <= 1e-6 * whole[0] * whole[1] && alone0 >= 0) {
-                sum = {alone0, 0};
-            } else {
-                sum = {};
-            }
+    [[nodiscard]] Vec2 at(Vec2 arm) const { return velocity + spin * perpendicular(arm); }
+    void push(Vec2 arm, Vec2 impulse, double sign) {
+        velocity += sign * inverseMass * impulse;
+        spin += sign * inverseInertia * cross(arm, impulse);
+    }
+};
+
+// The impulses of two points, none negative, by trying the four cases of the complementarity problem (E.
+// Catto, Box2D 2.4). `rest`: m/s that the changes of the impulses have to bring about; `whole`: 1/kg of each
+// point alone; `k`: of both.
+std::array<double, 2> bothImpulses(std::array<double, 2> const& before, std::array<double, 2> const& rest,
+                                   std::array<double, 2> const& whole, double k) {
+    double const determinant = whole[0] * whole[1] - k * k;
+    bool const regular = determinant > 1e-6 * whole[0] * whole[1];
+    if (regular) {
+        std::array<double, 2> const both{before[0] + (whole[1] * rest[0] - k * rest[1]) / determinant,
+                                         before[1] + (whole[0] * rest[1] - k * rest[0]) / determinant};
+        if (both[0] >= 0 && both[1] >= 0) {
+            return both;
         }
     }
-    for (std::size_t n = 0; n < static_cast<std::size_t>(row.count); ++n) {
-        double const delta = sum[n] - row.points[n].normal;
-        row.points[n].normal = sum[n];
-        if (delta != 0) {
-            push(row, row.points[n], delta * row.normal);
-        }
+    double const first = before[0] + (rest[0] + k * before[1]) / whole[0];
+    double const leftOfSecond = rest[1] + whole[1] * before[1] - k * (first - before[0]);
+    if (first >= 0 && (leftOfSecond <= 0 || !regular)) {
+        return {first, 0};
     }
+    double const second = before[1] + (rest[1] + k * before[0]) / whole[1];
+    double const leftOfFirst = rest[0] + whole[0] * before[0] - k * (second - before[1]);
+    if (second >= 0 && leftOfFirst <= 0) {
+        return {0, second};
+    }
+    return {};
 }
+
+// Both points of a contact are solved at once: one after the other they would tilt the body a little in each
+// substep. Friction follows.
+void solveRow(ContactRow& row, MovingState& stateA, MovingState& stateB, double h, Softness const& soft,
+              bool bias) {
+    Speed a(stateA);
+    Speed b(stateB);
+    std::array<double, 2> rest{};
+    std::array<double, 2> whole{};
+    std::array<double, 2> before{};
+    auto const count = static_cast<std::size_t>(row.count);
+    for (std::size_t n = 0; n < count; ++n) {
+        PointRow const& point = row.points[n];
+        double const speed = dot(row.normal, b.at(point.reachB) - a.at(point.reachA));
+        before[n] = point.normal;
+        if (point.now > 0) { // it may just reach the other surface
+            whole[n] = point.normalInverse;
+            rest[n] = -speed - point.now / h;
+        } else if (bias) {
+            double const yield = soft.yield * point.normalInverse;
+            whole[n] = point.normalInverse + yield;
+            rest[n] = -speed - std::max(soft.bias * point.now, -fastestParting) -
+                      yield * (point.normal - point.steady);
+        } else {
+            whole[n] = point.normalInverse;
+            rest[n] = -speed;
+        }
+    }
+    std::array<double, 2> sum{};
+    if (count == 1) {
+        sum[0] = std::max(before[0] + rest[0] / whole[0], 0.0);
+    } else {
+        sum = bothImpulses(before, rest, whole, row.coupling);
+    }
+    for (std::size_t n = 0; n < count; ++n) {
+        PointRow& point = row.points[n];
+        Vec2 const impulse = (sum[n] - point.normal) * row.normal;
+        point.normal = sum[n];
+        a.push(point.reachA, impulse, -1);
+        b.push(point.reachB, impulse, 1);
+    }
+    Vec2 const across = perpendicular(row.normal);
+    for (std::size_t n = 0; n < count; ++n) {
+        PointRow& point = row.points[n];
+        double const most = row.friction * point.normal;
+        double const slip = dot(across, b.at(point.reachB) - a.at(point.reachA));
+        double const wanted = std::clamp(point.tangent - point.tangentMass * slip, -most, most);
+        Vec2 const impulse = (wanted - point.tangent) * across;
+        point.tangent = wanted;
+        a.push(point.reachA, impulse, -1);
+        b.push(point.reachB, impulse, 1);
+    }
+    a.store(stateA);
+    b.store(stateB);
+}
+
+} // namespace
 
 void IslandSolver::solveContacts(double h, bool bias) {
     Softness const soft = softness(h);
     auto const solve = [&](ContactRow& row) {
-        if (row.awaits) {
-            return;
-        }
-        Vec2 const across = perpendicular(row.normal);
-        solveNormals(row, h, soft, bias);
-        for (std::size_t n = 0; n < static_cast<std::size_t>(row.count); ++n) {
-            PointRow& point = row.points[n];
-            double const most = row.friction * point.normal;
-            if (most == 0 && point.tangent == 0) {
-                continue;
-            }
-            MovingState const& a = stateOf(row.a);
-            MovingState const& b = stateOf(row.b);
-            Vec2 const relative = b.velocity + b.spin * perpendicular(point.reachB) - a.velocity -
-                                  a.spin * perpendicular(point.reachA);
-            double const sum =
-                std::clamp(point.tangent - point.tangentMass * dot(across, relative), -most, most);
-            double const delta = sum - point.tangent;
-            point.tangent = sum;
-            push(row, point, delta * across);
+        if (!row.awaits) {
+            solveRow(row, stateOf(row.a), stateOf(row.b), h, soft, bias);
         }
     };
     if (bias) {

@@ -31,7 +31,6 @@ private:
     void startRows(double h);
     void accelerate(SlotIndex slot, double h);
     void solveJoints();
-    void solveNormals(ContactRow& row, double h, Softness const& soft, bool bias);
     void solveContacts(double h, bool bias);
     void findBearing();
     void move(double h);
@@ -60,8 +59,8 @@ private:
     NativeEngine& engine_;
     Island const& island_;
     DynamicsSettings const& settings_;
-    std::vector<ContactRow> rows_;
-    std::vector<Contact*> seams_;
+    std::vector<ContactRow>& rows_;
+    std::vector<Contact*>& seams_;
     double h_ = 0;     ///< s, of the usual substep
     double since_ = 0; ///< s, since the step's beginning
 };

@@ -86,6 +86,7 @@ private:
     std::vector<Contact> contacts_; // ascending by key, as pairs_
     std::vector<Contact> mergedContacts_;
     std::vector<Contact*> seamSearch_;
+    std::vector<ContactRow> rows_; // of the island that is solved
     std::vector<std::uint64_t> gone_;
     std::vector<std::uint64_t> come_;
     Islands islands_;
