@@ -149,6 +149,8 @@ TEST(WhatIf, PlotsShowBothRuns) {
     probes.toggle("iron ball.position.x");
     player.key(SDLK_z);
     await(player);
+    player.key(SDLK_HOME); // above the plot, too
+    player.frames(4);
     Vec2 const from = ballAt(player);
     player.drag(player.at(from), player.at(from + Vec2{0.6, 0.4}));
     await(player);
