@@ -165,8 +165,10 @@ TEST(TextDoorProcess, PrintsItsTexts) {
 
 TEST(TextDoorProcess, GivesTheSameTextsAsAnotherOne) {
     std::string const self = std::filesystem::read_symlink("/proc/self/exe").string();
-    std::string const command = "MALLOC_PERTURB_=42 MALLOC_TOP_PAD_=1234567 '" + self +
-                                "' --gtest_filter=TextDoorProcess.PrintsItsTexts 2>&1";
+    // Without the variables that share the tests out among processes, or another share prints nothing.
+    std::string const command = "env -u GTEST_TOTAL_SHARDS -u GTEST_SHARD_INDEX MALLOC_PERTURB_=42 "
+                                "MALLOC_TOP_PAD_=1234567 '" +
+                                self + "' --gtest_filter=TextDoorProcess.PrintsItsTexts 2>&1";
     std::string output;
     FILE* const pipe = popen(command.c_str(), "r");
     ASSERT_NE(pipe, nullptr);
