@@ -1,0 +1,68 @@
+// One island through one step.
+#pragma once
+
+#include "physics/dynamics/engines/native/native_engine.hpp"
+
+#include <vector>
+
+namespace trembler::native {
+
+/// A contact as a damped spring, for its points' effective masses.
+struct Softness {
+    double bias = 0;  ///< 1/s, the share of an overlap that is closed
+    double yield = 0; ///< how much of its mass a spring yields
+};
+
+class IslandSolver {
+public:
+    IslandSolver(NativeEngine& engine, Island const& island, DynamicsSettings const& settings);
+    void run(double duration);
+
+private:
+    /// Substeps of the step that the island needs.
+    [[nodiscard]] int demand(double duration) const;
+    /// The time (s), at most `remaining`, for which the contacts that are known now suffice.
+    [[nodiscard]] double interval(double remaining) const;
+    [[nodiscard]] double safeTime(Contact const& contact, double remaining) const;
+    void findContacts(double time);
+    void makeRows();
+    void substep(double h);
+
+    void startRows(double h);
+    void accelerate(SlotIndex slot, double h);
+    void solveJoints();
+    void solveContacts(double h, bool bias);
+    void findBearing();
+    void move(double h);
+    void startJoints(double h);
+    void noteForces(double h);
+
+    // impact.cpp
+    struct Hit {
+        double after = 0; ///< s
+        bool any = false;
+    };
+    /// The first impact with restitution within `time` (s); marks all rows that await one within it.
+    [[nodiscard]] Hit firstHit(double time);
+    /// Lets all bodies that are about to meet bounce; `ahead` (s): how much earlier than they would.
+    void bounce(double ahead);
+    [[nodiscard]] double approachLimit(ContactRow const& row, double h) const;
+    bool strike(ContactRow& row, double slowest);
+
+    [[nodiscard]] MovingState& stateOf(SlotIndex slot) { return engine_.states_[slot]; }
+    [[nodiscard]] MovingState const& stateOf(SlotIndex slot) const { return engine_.states_[slot]; }
+    [[nodiscard]] double gapOf(ContactRow const& row, std::size_t point) const;
+    [[nodiscard]] double normalSpeed(ContactRow const& row, PointRow const& point) const;
+    void push(ContactRow const& row, PointRow const& point, double normal, double across);
+    void noteImpact(ContactRow const& row, double impulse);
+
+    NativeEngine& engine_;
+    Island const& island_;
+    DynamicsSettings const& settings_;
+    std::vector<ContactRow>& rows_;
+    std::vector<Contact*>& seams_;
+    double h_ = 0;     ///< s, of the usual substep
+    double since_ = 0; ///< s, since the step's beginning
+};
+
+} // namespace trembler::native

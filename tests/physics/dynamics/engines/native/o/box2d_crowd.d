@@ -1,0 +1,3 @@
+o/box2d_crowd.o: \
+ ../../../../../physics/dynamics/engines/box2d/box2d_crowd.cpp \
+ ../../../../../physics/dynamics/engines/box2d/box2d_crowd.hpp
