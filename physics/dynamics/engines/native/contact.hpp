@@ -25,8 +25,6 @@ struct alignas(64) MovingState {
     Vec2 slidesAlong;      ///< unit, if it slides in one direction
     Vec2 velocityBefore;   ///< m/s, at the substep's beginning
     double spinBefore = 0; ///< rad/s
-    Vec2 shift;            ///< m/s, that closes joints' gaps in this substep and is then forgotten
-    double twist = 0;      ///< rad/s, likewise
 
     [[nodiscard]] Vec2 turn(Vec2 v) const { return {cosine * v.x - sine * v.y, sine * v.x + cosine * v.y}; }
 };
@@ -51,6 +49,7 @@ struct BodyEntry {
     int joints = 0;
     int restlessJoints = 0; ///< motors that must not fall asleep
     double idle = 0;        ///< s, for which it has been slow
+    double smoothStep = 0;  ///< s, of its island's last smooth motion; of the island's first body
     std::uint32_t nap = 0;  ///< names the group with which it fell asleep
 };
 

@@ -158,7 +158,13 @@ void IslandSolver::run(double duration) {
     int hits = island_.bodies.size() > smallIsland ? 0 : mostHits;
     int intervals = mostIntervals;
     double left = duration;
-    for (bool first = true; left > 1e-12 * duration; first = false) {
+    rows_.clear();
+    if (!island_.joints.empty()) {
+        double const covered = moveSmoothly(duration);
+        left = covered < duration ? duration - covered : 0;
+        since_ = covered;
+    }
+    for (bool first = left == duration; left > 1e-12 * duration; first = false) {
         double const span = --intervals > 0 ? interval(left) : left;
         if (!first || span < left) {
             findContacts(span);
@@ -443,72 +449,6 @@ void IslandSolver::solveContacts(double h, bool bias) {
     }
 }
 
-void IslandSolver::solveJoints() {
-    for (SlotIndex const slot : island_.joints) {
-        JointRows& joint = *engine_.joints_[slot].rows;
-        std::span<SlotIndex const> const slots = joint.slots();
-        for (JointRow& row : joint.rows()) {
-            if (row.mass == 0) {
-                continue;
-            }
-            double speed = 0;
-            double correction = 0;
-            for (int i = 0; i < row.count; ++i) {
-                RowTerm const& term = row.terms[static_cast<std::size_t>(i)];
-                SlotIndex const body = slots[static_cast<std::size_t>(term.body)];
-                if (body != noSlot) {
-                    MovingState const& state = stateOf(body);
-                    speed += dot(term.linear, state.velocity) + term.angular * state.spin;
-                    correction += dot(term.linear, state.shift) + term.angular * state.twist;
-                }
-            }
-            double const impulse = row.solve(speed);
-            double const shove = row.corrects ? row.solveCorrection(correction) : 0;
-            for (int i = 0; i < row.count; ++i) {
-                RowTerm const& term = row.terms[static_cast<std::size_t>(i)];
-                SlotIndex const body = slots[static_cast<std::size_t>(term.body)];
-                if (body != noSlot) {
-                    MovingState& state = stateOf(body);
-                    state.velocity += state.inverseMass * impulse * term.linear;
-                    state.spin += state.inverseInertia * impulse * term.angular;
-                    state.shift += state.inverseMass * shove * term.linear;
-                    state.twist += state.inverseInertia * shove * term.angular;
-                }
-            }
-        }
-    }
-}
-
-void IslandSolver::startJoints(double h) {
-    for (SlotIndex const slot : island_.joints) {
-        JointEntry& joint = engine_.joints_[slot];
-        std::span<SlotIndex const> const slots = joint.rows->slots();
-        std::array<JointPose, 4> poses;
-        for (std::size_t i = 0; i < slots.size(); ++i) {
-            if (slots[i] != noSlot) {
-                BodyEntry const& body = engine_.bodies_[slots[i]];
-                poses[i] = {body.centre, body.angle, stateOf(slots[i]).inverseMass,
-                            stateOf(slots[i]).inverseInertia};
-            }
-        }
-        joint.rows->prepare({poses.data(), slots.size()}, h);
-        double const stretch = joint.last > 0 ? h / joint.last : 1;
-        joint.last = h;
-        for (JointRow& row : joint.rows->rows()) {
-            row.impulse = std::clamp(stretch * row.impulse, row.low, row.high);
-            for (int i = 0; i < row.count; ++i) {
-                RowTerm const& term = row.terms[static_cast<std::size_t>(i)];
-                SlotIndex const body = slots[static_cast<std::size_t>(term.body)];
-                if (body != noSlot) {
-                    MovingState& state = stateOf(body);
-                    state.velocity += state.inverseMass * row.impulse * term.linear;
-                    state.spin += state.inverseInertia * row.impulse * term.angular;
-                }
-            }
-        }
-    }
-}
-
 // Steady forces lead to the mean of the velocities before and after, which is exact for constant ones. Where
 // contacts bear a body their springs damp its motion by the velocity after, except along the surface on which
 // it slides.
@@ -536,25 +476,30 @@ void IslandSolver::findBearing() {
     }
 }
 
+Drift IslandSolver::driftOf(SlotIndex slot) const {
+    MovingState const& state = stateOf(slot);
+    BodyEntry const& entry = engine_.bodies_[slot];
+    Drift drift{state.velocity, state.spin};
+    Vec2 const change = state.velocity - state.velocityBefore;
+    bool const steady = entry.joints > 0 ||
+                        lengthSquared(change) <= steadyShare * steadyShare * lengthSquared(state.accelerated);
+    if (steady && state.borne == Borne::not_at_all) {
+        drift.velocity -= change / 2;
+        drift.spin -= (state.spin - state.spinBefore) / 2;
+    } else if (steady && state.borne == Borne::sliding && entry.joints == 0) {
+        drift.velocity -= dot(change, state.slidesAlong) / 2 * state.slidesAlong;
+    }
+    return drift;
+}
+
 void IslandSolver::move(double h) {
     findBearing();
     for (SlotIndex const slot : island_.bodies) {
         MovingState& state = stateOf(slot);
         BodyEntry& entry = engine_.bodies_[slot];
-        Vec2 drift = state.velocity;
-        double turn = state.spin;
-        Vec2 const change = state.velocity - state.velocityBefore;
-        bool const steady =
-            entry.joints == 0 &&
-            lengthSquared(change) <= steadyShare * steadyShare * lengthSquared(state.accelerated);
-        if (steady && state.borne == Borne::not_at_all) {
-            drift -= change / 2;
-            turn -= (state.spin - state.spinBefore) / 2;
-        } else if (steady && state.borne == Borne::sliding) {
-            drift -= dot(change, state.slidesAlong) / 2 * state.slidesAlong;
-        }
-        Vec2 const way = h * (drift + state.shift);
-        double const angle = h * (turn + state.twist);
+        Drift const drift = driftOf(slot);
+        Vec2 const way = h * drift.velocity;
+        double const angle = h * drift.spin;
         entry.centre += way;
         entry.angle += angle;
         state.moved += way;
@@ -576,24 +521,16 @@ void IslandSolver::move(double h) {
 void IslandSolver::substep(double h) {
     for (SlotIndex const slot : island_.bodies) {
         accelerate(slot, h);
-        stateOf(slot).shift = {};
-        stateOf(slot).twist = 0;
         stateOf(slot).borne = Borne::not_at_all;
     }
-    bool const joined = !island_.joints.empty();
-    if (joined) {
-        startJoints(h);
-    }
-    startRows(h);
-    int const rounds = joined ? std::max(1, settings_.velocityIterations) : 1;
-    for (int i = 0; i < rounds; ++i) {
-        if (joined) {
-            solveJoints();
-        }
+    if (island_.joints.empty()) {
+        startRows(h);
         solveContacts(h, true);
+        move(h);
+        solveContacts(h, false);
+    } else {
+        joinedSubstep(h);
     }
-    move(h);
-    solveContacts(h, false);
     for (SlotIndex const slot : island_.bodies) {
         if (slot < engine_.dragged_.size() && engine_.dragged_[slot].drag.any()) {
             engine_.dragged_[slot].after({engine_.bodies_[slot].mass * stateOf(slot).velocity,
@@ -621,7 +558,7 @@ void IslandSolver::noteForces(double h) {
     }
     for (SlotIndex const slot : island_.joints) {
         JointEntry& joint = engine_.joints_[slot];
-        joint.force += joint.rows->impulseOnA() / engine_.duration_;
+        joint.force += joint.rows->impulseOnA(h) / engine_.duration_;
     }
 }
 

@@ -13,6 +13,12 @@ struct Softness {
     double yield = 0; ///< how much of its mass a spring yields
 };
 
+/// With what a body moves in a substep.
+struct Drift {
+    Vec2 velocity;   ///< m/s
+    double spin = 0; ///< rad/s
+};
+
 class IslandSolver {
 public:
     IslandSolver(NativeEngine& engine, Island const& island, DynamicsSettings const& settings);
@@ -30,12 +36,29 @@ private:
 
     void startRows(double h);
     void accelerate(SlotIndex slot, double h);
-    void solveJoints();
     void solveContacts(double h, bool bias);
     void findBearing();
     void move(double h);
-    void startJoints(double h);
     void noteForces(double h);
+
+    // joined_substep.cpp
+    /// A substep of an island with joints.
+    void joinedSubstep(double h);
+    void springLoads(std::vector<Load>& loads) const;
+    void prepareJoints(double h, bool trial);
+    void takeExactRows(bool anew);
+    void solveBounded();
+    void give(ExactRow const& row, double impulse, double share);
+    [[nodiscard]] bool findWeights();
+    [[nodiscard]] Drift driftOf(SlotIndex slot) const;
+    void closeGaps(double h, int rounds);
+    void stopRates(double h, int rounds);
+    [[nodiscard]] double rateOf(ExactRow const& row) const;
+
+    // smooth_motion.cpp
+    /// Moves an island of joints, on which nothing else acts, for as long (s) as this lasts, and returns how
+    /// long.
+    double moveSmoothly(double duration);
 
     // impact.cpp
     struct Hit {
@@ -55,6 +78,8 @@ private:
     [[nodiscard]] double normalSpeed(ContactRow const& row, PointRow const& point) const;
     void push(ContactRow const& row, PointRow const& point, double normal, double across);
     void noteImpact(ContactRow const& row, double impulse);
+
+    friend class SmoothMotion;
 
     NativeEngine& engine_;
     Island const& island_;

@@ -9,6 +9,7 @@
 #pragma once
 
 #include "physics/dynamics/engines/native/contact.hpp"
+#include "physics/dynamics/engines/native/exact_rows.hpp"
 #include "physics/dynamics/engines/native/island.hpp"
 #include "physics/dynamics/engines/native/near_pairs.hpp"
 #include "physics/dynamics/engines/native/solving_order.hpp"
@@ -40,6 +41,7 @@ public:
         choosesSubsteps_ = wanted;
         return true;
     }
+    bool solveJointsAtOnce(bool) override { return true; }
     [[nodiscard]] bool exactForConstantForces() const override { return true; }
     void step(double duration, DynamicsSettings const& settings) override;
     [[nodiscard]] std::span<MovedBody const> moved() const override { return moved_; }
@@ -79,6 +81,7 @@ private:
     [[nodiscard]] bool idles(SlotIndex slot) const;
 
     friend class IslandSolver;
+    friend class SmoothMotion;
 
     std::vector<BodyEntry> bodies_;
     std::vector<MovingState> states_;
@@ -95,6 +98,12 @@ private:
     std::vector<ContactRow> rows_; // of the island that is solved
     std::vector<RowDetail> rowDetails_;
     SolvingOrder solvingOrder_;
+    ExactRows exact_;
+    std::vector<double> follows_;        // by slot: how much of an impulse's velocity a body's drift has
+    std::vector<Load> springLoads_;      // by slot
+    std::vector<Load> springLoadsNow_;   // by slot
+    std::vector<double> right_;          // of the system of exact rows
+    std::vector<std::uint32_t> indices_; // by slot: of a body in the island that is moved smoothly
     std::vector<std::uint64_t> gone_;
     std::vector<std::uint64_t> come_;
     Islands islands_;

@@ -261,6 +261,7 @@ void NativeEngine::step(double duration, DynamicsSettings const& settings) {
             movedMarks_[slot] = 1;
         }
     }
+    exact_.tidy();
     // What the world reads are touches at the step's end, and the next step begins with these contacts.
     findReaches(duration);
     for (Contact& contact : contacts_) {

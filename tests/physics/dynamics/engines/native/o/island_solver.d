@@ -39,8 +39,9 @@ o/island_solver.o: \
  ../../../../../physics/dynamics/properties/settings.hpp \
  ../../../../../physics/dynamics/properties/shapes/mass_properties.hpp \
  ../../../../../physics/dynamics/properties/shape.hpp \
- ../../../../../physics/dynamics/engines/native/island.hpp \
+ ../../../../../physics/dynamics/engines/native/exact_rows.hpp \
  ../../../../../physics/dynamics/engines/substepped/joint_rows.hpp \
+ ../../../../../physics/dynamics/engines/native/island.hpp \
  ../../../../../physics/dynamics/engines/native/near_pairs.hpp \
  ../../../../../physics/dynamics/engines/native/solving_order.hpp \
  ../../../../../physics/dynamics/engines/native/seams.hpp \
