@@ -13,8 +13,6 @@ namespace {
 // is not followed by the substeps.
 constexpr double contactShare = 0.25;
 constexpr double contactDamping = 10;
-// Overlapping bodies part no faster than this, m/s.
-constexpr double fastestParting = 0.5;
 // A change of velocity up to this multiple of that by loads is one by steady forces, such as friction, and
 // not an impact. Per step, the share by which the force at which a spring is not compressed follows the
 // present one: slowly, so that it adds no energy, but bodies at rest do not sink in.
@@ -25,6 +23,12 @@ constexpr double steadyShare = 2.5;
 constexpr double stackFactor = 0.9;
 constexpr double mostSubsteps = 64;
 constexpr int leastSubsteps = 4;
+// Contacts are solved at once if one bears this multiple of a body's weight, or if masses that touch differ
+// so.
+constexpr double unequal = 12;
+constexpr std::size_t mostExactContacts = 150;
+// A substep in which joints cannot be closed is split in two, up to so many times.
+constexpr int mostHalvings = 6;
 // A body may move by this share of its thinnest half, or turn by so many rad, before its contacts are found
 // again.
 constexpr double shareOfThin = 0.5;
@@ -35,14 +39,14 @@ constexpr int mostIntervals = 64;
 constexpr int mostHits = 16;
 constexpr std::size_t smallIsland = 128;
 
+} // namespace
+
 // A damped spring by implicit Euler as a soft constraint: E. Catto, "Soft Constraints", GDC 2011.
 Softness softness(double h) {
     double const omega = 2 * pi * contactShare / h;
     double const a1 = 2 * contactDamping + h * omega;
     return {omega / a1, 1 / (h * omega * a1)};
 }
-
-} // namespace
 
 IslandSolver::IslandSolver(NativeEngine& engine, Island const& island, DynamicsSettings const& settings)
     : engine_(engine), island_(island), settings_(settings), rows_(engine.rows_), seams_(engine.seamSearch_) {
@@ -72,6 +76,34 @@ int IslandSolver::demand(double duration) const {
     }
     double const share = std::min(1.0, duration / frameDuration);
     return std::max(1, static_cast<int>(std::ceil(share * std::min(wanted, mostSubsteps))));
+}
+
+// Impulses found one by one need as many rounds as the loads differ. A few contacts are solved at once
+// instead.
+bool IslandSolver::wantsExactContacts() const {
+    if (island_.contacts.empty() || island_.contacts.size() > mostExactContacts) {
+        return false;
+    }
+    double most = 0;
+    for (std::uint32_t const i : island_.contacts) {
+        Contact const& contact = engine_.contacts_[i];
+        if (!contact.used) {
+            continue;
+        }
+        double const pressure = contact.force[0] + contact.force[1];
+        double const a = stateOf(contact.a).inverseMass;
+        double const b = stateOf(contact.b).inverseMass;
+        if (a > 0 && b > 0) {
+            most = std::max(most, std::max(a, b) / std::min(a, b));
+        }
+        for (SlotIndex const slot : {contact.a, contact.b}) {
+            double const weight = length(engine_.bodies_[slot].load.force);
+            if (weight > 0) {
+                most = std::max(most, pressure / weight);
+            }
+        }
+    }
+    return most > unequal;
 }
 
 // --- intervals
@@ -164,6 +196,7 @@ void IslandSolver::run(double duration) {
         left = covered < duration ? duration - covered : 0;
         since_ = covered;
     }
+    exactContacts_ = wantsExactContacts();
     for (bool first = left == duration; left > 1e-12 * duration; first = false) {
         double const span = --intervals > 0 ? interval(left) : left;
         if (!first || span < left) {
@@ -358,7 +391,8 @@ std::array<double, 2> bothImpulses(std::array<double, 2> const& before, std::arr
 
 // Both points of a contact are solved at once: one after the other they would tilt the body a little in each
 // substep. Friction follows. `rate`: 1/s, of substeps.
-void solveRow(ContactRow& row, MovingState& a, MovingState& b, double rate, Softness const& soft, bool bias) {
+void solveRow(ContactRow& row, MovingState& a, MovingState& b, double rate, Softness const& soft, bool bias,
+              bool frictionOnly) {
     Vec2 const normal = row.normal;
     double const massA = a.inverseMass;
     double const massB = b.inverseMass;
@@ -388,7 +422,9 @@ void solveRow(ContactRow& row, MovingState& a, MovingState& b, double rate, Soft
         }
     }
     std::array<double, 2> sum{};
-    if (count == 1) {
+    if (frictionOnly) {
+        sum = {row.points[0].normal, row.points[1].normal};
+    } else if (count == 1) {
         sum[0] = std::max(row.points[0].normal + rest[0] / whole[0], 0.0);
     } else {
         sum = bothImpulses({row.points[0].normal, row.points[1].normal}, rest, whole, row.coupling);
@@ -435,7 +471,7 @@ void IslandSolver::solveContacts(double h, bool bias) {
     Softness const soft = softness(h);
     auto const solve = [&](ContactRow& row) {
         if (!row.awaits) {
-            solveRow(row, stateOf(row.a), stateOf(row.b), 1 / h, soft, bias);
+            solveRow(row, stateOf(row.a), stateOf(row.b), 1 / h, soft, bias, exactContacts_);
         }
     };
     if (bias) {
@@ -518,18 +554,33 @@ void IslandSolver::move(double h) {
     }
 }
 
-void IslandSolver::substep(double h) {
+void IslandSolver::substep(double h, int halvings) {
+    bool const again = exactContacts_ || (!island_.joints.empty() && halvings < mostHalvings);
+    if (again) {
+        remember();
+    }
     for (SlotIndex const slot : island_.bodies) {
         accelerate(slot, h);
         stateOf(slot).borne = Borne::not_at_all;
     }
-    if (island_.joints.empty()) {
+    if (island_.joints.empty() && !exactContacts_) {
         startRows(h);
         solveContacts(h, true);
         move(h);
         solveContacts(h, false);
-    } else {
-        joinedSubstep(h);
+    } else if (!joinedSubstep(h)) {
+        if (again) {
+            restore();
+            if (exactContacts_) { // for the rest of the step
+                exactContacts_ = false;
+                substep(h, halvings);
+                return;
+            }
+            substep(h / 2, halvings + 1);
+            substep(h / 2, halvings + 1);
+            return;
+        }
+        takeGainAway(h);
     }
     for (SlotIndex const slot : island_.bodies) {
         if (slot < engine_.dragged_.size() && engine_.dragged_[slot].drag.any()) {

@@ -19,6 +19,10 @@ struct Drift {
     double spin = 0; ///< rad/s
 };
 
+[[nodiscard]] Softness softness(double h);
+/// Overlapping bodies part no faster than this, m/s.
+inline constexpr double fastestParting = 0.5;
+
 class IslandSolver {
 public:
     IslandSolver(NativeEngine& engine, Island const& island, DynamicsSettings const& settings);
@@ -32,7 +36,7 @@ private:
     [[nodiscard]] double safeTime(Contact const& contact, double remaining) const;
     void findContacts(double time);
     void makeRows();
-    void substep(double h);
+    void substep(double h, int halvings = 0);
 
     void startRows(double h);
     void accelerate(SlotIndex slot, double h);
@@ -43,15 +47,24 @@ private:
 
     // joined_substep.cpp
     /// A substep of an island with joints.
-    void joinedSubstep(double h);
+    /// Returns whether the joints are closed after it.
+    bool joinedSubstep(double h);
+    void remember();
+    void restore();
     void springLoads(std::vector<Load>& loads) const;
     void prepareJoints(double h, bool trial);
     void takeExactRows(bool anew);
     void solveBounded();
+    void findContactErrors(double h, std::size_t first);
+    void noteNormals();
+    /// The island's kinetic energy after a substep over what it may have.
+    [[nodiscard]] double gainOf(double h) const;
+    void takeGainAway(double h);
+    [[nodiscard]] bool wantsExactContacts() const;
     void give(ExactRow const& row, double impulse, double share);
     [[nodiscard]] bool findWeights();
     [[nodiscard]] Drift driftOf(SlotIndex slot) const;
-    void closeGaps(double h, int rounds);
+    bool closeGaps(double h, int rounds);
     void stopRates(double h, int rounds);
     [[nodiscard]] double rateOf(ExactRow const& row) const;
 
@@ -86,8 +99,21 @@ private:
     DynamicsSettings const& settings_;
     std::vector<ContactRow>& rows_;
     std::vector<Contact*>& seams_;
-    double h_ = 0;     ///< s, of the usual substep
-    double since_ = 0; ///< s, since the step's beginning
+    struct Memory {
+        Vec2 centre;
+        double angle = 0;
+        MovingState state;
+        DraggedBody dragged;
+    };
+    struct JointMemory {
+        double last = 0;
+        std::array<double, 5> impulses{};
+    };
+    std::vector<Memory> memory_; ///< of the bodies before a substep
+    std::vector<JointMemory> jointMemory_;
+    bool exactContacts_ = false; ///< normal impulses are exact rows, too
+    double h_ = 0;               ///< s, of the usual substep
+    double since_ = 0;           ///< s, since the step's beginning
 };
 
 } // namespace trembler::native

@@ -4,6 +4,7 @@
 // Andersen 1983): their impulses bring the places at the substep's end onto the constraints, half of them
 // acts before and half, along the new directions, after. It is symplectic, so that what swings keeps its
 // energy. Contacts, motors and damped springs are solved one after the other, in turn with the exact ones.
+#include "physics/dynamics/engines/impact_budget.hpp"
 #include "physics/dynamics/engines/native/island_solver.hpp"
 
 #include <algorithm>
@@ -17,6 +18,13 @@ namespace {
 constexpr double widestSwing = 0.5;
 // Constraints hold if they are off by no more than this, m or rad.
 constexpr double closed = 1e-11;
+// A substep after which they are off by more than this, m or rad, is too long.
+constexpr double nearlyClosed = 1e-7;
+constexpr double nearlyMet = 1e-4; // contacts, m
+// A substep after which the bodies have this share of energy more than the work done on them is one whose
+// equations contradict each other.
+constexpr double mostGain = 0.05;
+constexpr double leastGain = 1e-6; // J for each kg
 // An error is removed no faster than this, m/s or rad/s.
 constexpr double fastestClosing = 10;
 constexpr int mostRounds = 12;
@@ -94,6 +102,41 @@ void IslandSolver::takeExactRows(bool anew) {
             }
         }
     }
+    if (!exactContacts_) {
+        return;
+    }
+    for (ContactRow const& row : rows_) {
+        for (std::size_t n = 0; n < static_cast<std::size_t>(row.count); ++n) {
+            PointRow const& point = row.points[n];
+            ExactRow& made = anew ? exact.emplace_back() : exact[next++];
+            made.oneSided = true;
+            made.count = 2;
+            made.terms[0] = {engine_.moves(row.a) ? row.a : noSlot, -row.normal, -point.normalA};
+            made.terms[1] = {engine_.moves(row.b) ? row.b : noSlot, row.normal, point.normalB};
+            made.error = point.now;
+        }
+    }
+}
+
+// What is left, after `h` (s), of the gaps of contacts that must not close.
+void IslandSolver::findContactErrors(double h, std::size_t first) {
+    std::vector<ExactRow>& exact = engine_.exact_.rows();
+    double const bias = softness(h).bias;
+    for (ContactRow const& row : rows_) {
+        for (std::size_t n = 0; n < static_cast<std::size_t>(row.count); ++n) {
+            ExactRow& made = exact[first++];
+            double rate = 0;
+            for (std::size_t i = 0; i < 2; ++i) {
+                if (ExactTerm const& term = made.terms[i]; term.slot != noSlot) {
+                    Drift const drift = driftOf(term.slot);
+                    rate += dot(term.linear, drift.velocity) + term.angular * drift.spin;
+                }
+            }
+            double const now = row.points[n].now;
+            double const allowed = now < 0 ? now + h * std::min(-bias * now, fastestParting) : 0;
+            made.error = row.awaits ? 1 : now + h * rate - allowed;
+        }
+    }
 }
 
 double IslandSolver::rateOf(ExactRow const& row) const {
@@ -161,14 +204,30 @@ bool IslandSolver::findWeights() {
     return changed;
 }
 
+// Friction is limited by the present normal impulses.
+void IslandSolver::noteNormals() {
+    if (!exactContacts_) {
+        return;
+    }
+    std::vector<ExactRow> const& exact = engine_.exact_.rows();
+    std::size_t at = exact.size();
+    for (auto row = rows_.rbegin(); row != rows_.rend(); ++row) {
+        for (int n = row->count; n-- > 0;) {
+            row->points[static_cast<std::size_t>(n)].normal = exact[--at].impulse;
+        }
+    }
+}
+
 // Impulses that bring the places at the substep's end onto the constraints.
-void IslandSolver::closeGaps(double h, int rounds) {
+bool IslandSolver::closeGaps(double h, int rounds) {
     std::vector<ExactRow>& rows = engine_.exact_.rows();
     std::vector<double>& right = engine_.right_;
     right.resize(rows.size());
     bool const alone = rows_.empty();
     bool stale = true;
     bool possible = !rows.empty();
+    double misfit = 0;  // of joints
+    double deepest = 0; // of contacts
     for (int round = 0; round < mostRounds; ++round) {
         bool const others = round < rounds;
         if (others) {
@@ -187,11 +246,21 @@ void IslandSolver::closeGaps(double h, int rounds) {
         prepareJoints(h, true);
         std::size_t next = 0;
         double worst = 0;
+        misfit = 0;
         for (SlotIndex const slot : island_.joints) {
             for (JointRow const& row : engine_.joints_[slot].rows->rows()) {
                 if (row.exact() && row.stiff != 0) {
-                    rows[next++].error = row.error;
+                    rows[next].error = row.error;
+                    misfit = std::max(misfit, row.limit() ? -row.error : std::abs(row.error));
+                    ++next;
                 }
+            }
+        }
+        deepest = 0;
+        if (exactContacts_) {
+            findContactErrors(h, next);
+            for (; next < rows.size(); ++next) {
+                deepest = std::max(deepest, -rows[next].error);
             }
         }
         for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -226,7 +295,9 @@ void IslandSolver::closeGaps(double h, int rounds) {
             row.impulse += more;
             give(row, more, 1);
         }
+        noteNormals();
     }
+    return misfit <= nearlyClosed && (!exactContacts_ || deepest <= nearlyMet);
 }
 
 // Impulses after which the velocities keep the constraints.
@@ -272,10 +343,44 @@ void IslandSolver::stopRates(double h, int rounds) {
             row.impulse += more;
             give(row, more, 1);
         }
+        noteNormals();
     }
 }
 
-void IslandSolver::joinedSubstep(double h) {
+void IslandSolver::remember() {
+    memory_.resize(island_.bodies.size());
+    for (std::size_t i = 0; i < memory_.size(); ++i) {
+        SlotIndex const slot = island_.bodies[i];
+        BodyEntry const& entry = engine_.bodies_[slot];
+        memory_[i] = {entry.centre, entry.angle, stateOf(slot),
+                      slot < engine_.dragged_.size() ? engine_.dragged_[slot] : DraggedBody{}};
+    }
+    jointMemory_.resize(island_.joints.size());
+    for (std::size_t i = 0; i < jointMemory_.size(); ++i) {
+        JointEntry const& joint = engine_.joints_[island_.joints[i]];
+        jointMemory_[i] = {joint.last, joint.rows->impulses()};
+    }
+}
+
+void IslandSolver::restore() {
+    for (std::size_t i = 0; i < memory_.size(); ++i) {
+        SlotIndex const slot = island_.bodies[i];
+        BodyEntry& entry = engine_.bodies_[slot];
+        entry.centre = memory_[i].centre;
+        entry.angle = memory_[i].angle;
+        stateOf(slot) = memory_[i].state;
+        if (slot < engine_.dragged_.size()) {
+            engine_.dragged_[slot] = memory_[i].dragged;
+        }
+    }
+    for (std::size_t i = 0; i < jointMemory_.size(); ++i) {
+        JointEntry& joint = engine_.joints_[island_.joints[i]];
+        joint.last = jointMemory_[i].last;
+        joint.rows->setImpulses(jointMemory_[i].impulses);
+    }
+}
+
+bool IslandSolver::joinedSubstep(double h) {
     std::size_t const slots = engine_.bodies_.size();
     engine_.follows_.assign(slots, 1.0);
     engine_.springLoads_.resize(slots);
@@ -288,11 +393,22 @@ void IslandSolver::joinedSubstep(double h) {
         state.velocity += h * state.inverseMass * load.force;
         state.spin += h * state.inverseInertia * load.torque;
     }
+    startRows(h);
     takeExactRows(true);
     // What acted in the last substep is the first guess.
     double stretch = 1;
     std::size_t next = 0;
     std::vector<ExactRow>& rows = engine_.exact_.rows();
+    if (exactContacts_) {
+        std::size_t at = rows.size();
+        for (auto row = rows_.rbegin(); row != rows_.rend(); ++row) {
+            for (int n = row->count; n-- > 0;) {
+                ExactRow& exact = rows[--at];
+                exact.impulse = row->points[static_cast<std::size_t>(n)].normal;
+                exact.active = exact.impulse > 0;
+            }
+        }
+    }
     for (SlotIndex const slot : island_.joints) {
         JointEntry& joint = engine_.joints_[slot];
         stretch = joint.last > 0 ? h / joint.last : 1;
@@ -317,9 +433,8 @@ void IslandSolver::joinedSubstep(double h) {
             }
         }
     }
-    startRows(h);
     int const rounds = island_.bodies.size() > few ? 1 : roundsWithContacts;
-    closeGaps(h, rounds);
+    bool const good = closeGaps(h, rounds);
     move(h);
     // The half of the impulses that acts along the new directions is found anew.
     for (ExactRow& row : rows) {
@@ -350,6 +465,51 @@ void IslandSolver::joinedSubstep(double h) {
                 row.impulse = rows[next++].impulse;
             }
         }
+    }
+    return good && gainOf(h) <= 1;
+}
+
+double IslandSolver::gainOf(double h) const {
+    double before = 0;
+    double after = 0;
+    double work = 0;
+    double mass = 0;
+    for (SlotIndex const slot : island_.bodies) {
+        BodyEntry const& entry = engine_.bodies_[slot];
+        MovingState const& state = stateOf(slot);
+        before += kineticEnergy(entry.mass, entry.inertia, state.velocityBefore, state.spinBefore);
+        after += kineticEnergy(entry.mass, entry.inertia, state.velocity, state.spin);
+        // The mean of the velocities is about that with which it has moved.
+        Load const& sprung = engine_.springLoads_[slot];
+        Load const& now = engine_.springLoadsNow_[slot];
+        Vec2 const force = entry.load.force + 0.5 * (sprung.force + now.force);
+        double const torque = entry.load.torque + 0.5 * (sprung.torque + now.torque);
+        work +=
+            h / 2 *
+            (dot(force, state.velocityBefore + state.velocity) + torque * (state.spinBefore + state.spin));
+        mass += entry.mass;
+    }
+    for (SlotIndex const slot : island_.joints) {
+        JointRows& joint = *engine_.joints_[slot].rows;
+        for (JointRow const& row : joint.rows()) {
+            if (!row.exact() && row.mass != 0) {
+                work += std::abs(row.impulse) * std::abs(row.speed);
+            }
+        }
+    }
+    double const allowed = before + std::max(work, 0.0) + mostGain * before + leastGain * mass;
+    return after / allowed;
+}
+
+void IslandSolver::takeGainAway(double h) {
+    double const gain = gainOf(h);
+    if (gain <= 1) {
+        return;
+    }
+    double const share = std::sqrt(1 / gain);
+    for (SlotIndex const slot : island_.bodies) {
+        stateOf(slot).velocity *= share;
+        stateOf(slot).spin *= share;
     }
 }
 

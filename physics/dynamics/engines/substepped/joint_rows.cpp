@@ -67,6 +67,20 @@ int JointRows::bodyOf(SlotIndex slot) {
     return bodies_++;
 }
 
+std::array<double, 5> JointRows::impulses() const {
+    std::array<double, 5> impulses{};
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+        impulses[i] = rows_[i].impulse;
+    }
+    return impulses;
+}
+
+void JointRows::setImpulses(std::array<double, 5> const& impulses) {
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+        rows_[i].impulse = impulses[i];
+    }
+}
+
 bool JointRows::restless() const {
     bool const drives = joint_.form == JointForm::hinge || joint_.form == JointForm::slider ||
                         joint_.form == JointForm::wheel;

@@ -76,6 +76,9 @@ public:
     [[nodiscard]] std::span<JointRow> rows() { return {rows_.data(), static_cast<std::size_t>(count_)}; }
     /// The impulse (N s) on a within this step, with that of springs which act as forces for `h` (s).
     [[nodiscard]] Vec2 impulseOnA(double h = 0) const;
+    /// The impulses of all rows, as they are kept for the next step.
+    [[nodiscard]] std::array<double, 5> impulses() const;
+    void setImpulses(std::array<double, 5> const& impulses);
     /// Whether the joint has a motor that must not fall asleep.
     [[nodiscard]] bool restless() const;
     [[nodiscard]] JointForm form() const { return joint_.form; }

@@ -1,12 +1,9 @@
 o/joined_substep.o: \
  ../../../../../physics/dynamics/engines/native/joined_substep.cpp \
- ../../../../../physics/dynamics/engines/native/island_solver.hpp \
- ../../../../../physics/dynamics/engines/native/native_engine.hpp \
- ../../../../../physics/dynamics/engines/native/contact.hpp \
+ ../../../../../physics/dynamics/engines/impact_budget.hpp \
+ ../../../../../physics/dynamics/core/engine.hpp \
  ../../../../../physics/dynamics/core/drag.hpp \
  ../../../../../runtime/math/vec2.hpp \
- ../../../../../physics/dynamics/engines/native/convex.hpp \
- ../../../../../physics/dynamics/core/engine.hpp \
  ../../../../../physics/dynamics/core/engine_failure.hpp \
  ../../../../../physics/dynamics/properties/body.hpp \
  ../../../../../runtime/property/description.hpp \
@@ -39,6 +36,10 @@ o/joined_substep.o: \
  ../../../../../physics/dynamics/properties/settings.hpp \
  ../../../../../physics/dynamics/properties/shapes/mass_properties.hpp \
  ../../../../../physics/dynamics/properties/shape.hpp \
+ ../../../../../physics/dynamics/engines/native/island_solver.hpp \
+ ../../../../../physics/dynamics/engines/native/native_engine.hpp \
+ ../../../../../physics/dynamics/engines/native/contact.hpp \
+ ../../../../../physics/dynamics/engines/native/convex.hpp \
  ../../../../../physics/dynamics/engines/native/exact_rows.hpp \
  ../../../../../physics/dynamics/engines/substepped/joint_rows.hpp \
  ../../../../../physics/dynamics/engines/native/island.hpp \
