@@ -62,6 +62,7 @@ struct Contact {
     double within =
         -1; ///< m, distance up to which the meeting has its points; negative: the bodies have moved
     bool used = false;              ///< has points, and is no seam
+    bool pressed = false;           ///< at some time within this step
     bool touches = false;           ///< as reported
     double pressure = 0;            ///< N, of all points, in the last substep: what is more is an impact
     std::array<double, 2> force{};  ///< N, along the normal

@@ -117,6 +117,7 @@ bool IslandSolver::strike(ContactRow& row, double slowest) {
         }
     }
     row.detail->struck += impulse[0] + impulse[1];
+    row.detail->contact->pressed = true;
     return true;
 }
 

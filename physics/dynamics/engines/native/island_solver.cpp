@@ -602,6 +602,7 @@ void IslandSolver::noteForces(double h) {
             contact.drag[n] = row.points[n].tangent * rate;
             sum += row.points[n].normal;
         }
+        contact.pressed = contact.pressed || sum > 0;
         double const more = sum - h * contact.pressure;
         contact.pressure = sum * rate;
         noteImpact(row, more);

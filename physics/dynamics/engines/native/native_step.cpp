@@ -121,6 +121,7 @@ void NativeEngine::findReaches(double time) {
 void NativeEngine::meetAll() {
     for (Contact& contact : contacts_) {
         if (awake_[contact.a] != 0 || awake_[contact.b] != 0) {
+            contact.pressed = false;
             double const margin = leastMargin + reaches_[contact.a] + reaches_[contact.b];
             if (contact.within < margin || bodies_[contact.a].placed || bodies_[contact.b].placed) {
                 meetOne(contact, margin);
@@ -205,6 +206,9 @@ void NativeEngine::reportTouches() {
         if (touches != contact.touches) {
             contact.touches = touches;
             change(contact, touches ? 1 : -1);
+        } else if (!touches && contact.pressed) { // an impact from which they have parted again
+            change(contact, 1);
+            change(contact, -1);
         }
     }
 }

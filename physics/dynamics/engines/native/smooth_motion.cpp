@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace trembler::native {
 namespace {
@@ -23,13 +24,6 @@ constexpr double clear = 1e-5;
 constexpr int mostSteps = 300;
 constexpr double leastShare = 1.0 / 512; // of a frame, as a step
 constexpr double atEase = 1e300;
-
-struct State {
-    Vec2 place;
-    double angle = 0;
-    Vec2 velocity;
-    double spin = 0;
-};
 
 constexpr std::array<std::array<double, 6>, 6> tableau{
     {{1.0 / 5},
@@ -119,6 +113,13 @@ public:
     }
 
 private:
+    struct State {
+        Vec2 place;
+        double angle = 0;
+        Vec2 velocity;
+        double spin = 0;
+    };
+
     [[nodiscard]] std::vector<ExactRow>& rows() { return engine_.exact_.rows(); }
 
     // Whether only rigid joints, springs, and limits act.

@@ -248,13 +248,7 @@ void JointRows::prepare(std::span<JointPose const> poses, double h, double wides
     }
     case JointForm::rope: {
         Coordinate const along = distance(ends);
-        double const slack = anchors_.length - along.value;
-        JointRow& taut = row(along, -1);
-        taut.low = 0;
-        taut.error = slack;
-        taut.speed = -std::max(slack, 0.0) / h;
-        taut.corrects = slack < 0;
-        taut.correction = std::min(-correctionShare * std::min(slack, 0.0) / h, fastestCorrection);
+        taut(along, anchors_.length - along.value);
         break;
     }
     case JointForm::spring: {
@@ -285,6 +279,16 @@ void JointRows::prepare(std::span<JointPose const> poses, double h, double wides
     }
 }
 
+// A rope pulls and never pushes: at most it becomes taut within this substep.
+void JointRows::taut(Coordinate const& along, double slack) {
+    JointRow& made = row(along, -1);
+    made.low = 0;
+    made.error = slack;
+    made.speed = -std::max(slack, 0.0) / h_;
+    made.corrects = slack < 0;
+    made.correction = std::min(-correctionShare * std::min(slack, 0.0) / h_, fastestCorrection);
+}
+
 void JointRows::preparePulley(Ends const& ends) {
     Vec2 const ropeA = ends.a.centre + ends.armA - joint_.groundA;
     Vec2 const ropeB = ends.b.centre + ends.armB - joint_.groundB;
@@ -301,7 +305,7 @@ void JointRows::preparePulley(Ends const& ends) {
                          {{{a_, alongA, cross(ends.armA, alongA)}, {b_, alongB, cross(ends.armB, alongB)}}},
                          bend(ends.a, ends.armA, alongA, sizeA) +
                              joint_.ratio * bend(ends.b, ends.armB, unitB, sizeB)};
-    rigid(sum, sum.value - anchors_.length - joint_.ratio * anchors_.lengthB);
+    taut(sum, anchors_.length + joint_.ratio * anchors_.lengthB - sum.value);
 }
 
 void JointRows::prepareGear(std::span<JointPose const> poses) {

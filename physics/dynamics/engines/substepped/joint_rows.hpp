@@ -103,6 +103,7 @@ private:
     void pin(Ends const& ends);
     void drive(Coordinate const& along);
     void limit(Coordinate const& along);
+    void taut(Coordinate const& along, double slack);
     void spring(Coordinate const& along, double error, std::span<JointPose const> poses);
     void preparePulley(Ends const& ends);
     void prepareGear(std::span<JointPose const> poses);
