@@ -3,7 +3,6 @@
 #include "physics/dynamics/core/dynamics_resolver.hpp"
 #include "physics/dynamics/engines/box2d/box2d_dynamics.hpp"
 #include "physics/dynamics/engines/chipmunk/chipmunk_dynamics.hpp"
-#include "physics/dynamics/engines/native/native_dynamics.hpp"
 #include "physics/dynamics/engines/ode/ode_dynamics.hpp"
 #include "physics/dynamics/interactions/frame_from_dynamics.hpp"
 #include "physics/dynamics/interactions/from_player.hpp"
@@ -36,7 +35,6 @@ void registerDynamics(Registry& registry) {
     registry.completion<BodyCompletion>();
     registry.completion<JointCompletion>();
     registry.component<DynamicsResolver>(box2dDynamics);
-    registry.component<DynamicsResolver>(nativeDynamics);
     registry.component<DynamicsResolver>(chipmunkDynamics);
     registry.component<DynamicsResolver>(odeDynamics);
     registry.component<DynamicsFromPlayer>();

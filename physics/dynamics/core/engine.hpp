@@ -116,9 +116,9 @@ public:
     /// touches at the beginning of the last substep, which may be cheaper; no touch is missed, but it may be
     /// reported a substep late. The motion is the same.
     virtual void findTouchesAtEnd(bool) {}
-    /// Sets whether the number of substeps is the engine's choice in all later steps, for each group of touching bodies
-    /// apart. Off at first. The settings' number is then that which the joints need. Returns whether it will choose: not
-    /// every engine does.
+    /// Sets whether the number of substeps is the engine's choice in all later steps, for each group of
+    /// touching bodies apart. Off at first. The settings' number is then that which the joints need. Returns
+    /// whether it will choose: not every engine does.
     virtual bool chooseSubsteps(bool) { return false; }
     /// Whether a constant force leads to the exact parabola in any number of substeps.
     [[nodiscard]] virtual bool exactForConstantForces() const { return false; }

@@ -252,7 +252,8 @@ bool Simulation::step(double duration, DynamicsColumns const& columns,
     checkMotion();
     failures_ = 0;
     substep_ = duration / with.substeps;
-    // A force that is held throughout acts, on average, half of the time late, unless the engine makes up for some of it.
+    // A force that is held throughout acts, on average, half of the time late, unless the engine makes up for
+    // some of it.
     lag_ = {duration, engine_->exactForConstantForces() ? 0 : duration / with.substeps};
     loads_.noteSleepers(*engine_, with.sleeping);
     return true;

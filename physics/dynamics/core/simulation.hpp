@@ -89,7 +89,7 @@ private:
     DynamicsSettings settings_; // as stated
     SolverChoice choice_;
     ForceLag lag_;
-    double substep_ = 0; // s
+    double substep_ = 0;         // s
     double engineScale_ = 0;     // of the present engine
     double jointSubsteps_ = 0;   // that the joints need
     double contactSubsteps_ = 0; // that the contacts need

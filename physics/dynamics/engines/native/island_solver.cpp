@@ -25,10 +25,12 @@ constexpr double mostSubsteps = 64;
 constexpr int leastSubsteps = 4;
 // Contacts are solved at once if one bears this multiple of a body's weight, or if masses that touch differ
 // so.
-constexpr double unequal = 12;
+constexpr double unequal = 3;
 constexpr std::size_t mostExactContacts = 150;
 // A substep in which joints cannot be closed is split in two, up to so many times.
 constexpr int mostHalvings = 6;
+// Of a step, all together.
+constexpr int mostSplits = 24;
 // A body may move by this share of its thinnest half, or turn by so many rad, before its contacts are found
 // again.
 constexpr double shareOfThin = 0.5;
@@ -555,7 +557,8 @@ void IslandSolver::move(double h) {
 }
 
 void IslandSolver::substep(double h, int halvings) {
-    bool const again = exactContacts_ || (!island_.joints.empty() && halvings < mostHalvings);
+    bool const again =
+        exactContacts_ || (!island_.joints.empty() && halvings < mostHalvings && splits_ < mostSplits);
     if (again) {
         remember();
     }
@@ -576,6 +579,7 @@ void IslandSolver::substep(double h, int halvings) {
                 substep(h, halvings);
                 return;
             }
+            ++splits_;
             substep(h / 2, halvings + 1);
             substep(h / 2, halvings + 1);
             return;

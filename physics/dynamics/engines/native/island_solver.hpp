@@ -111,6 +111,7 @@ private:
     };
     std::vector<Memory> memory_; ///< of the bodies before a substep
     std::vector<JointMemory> jointMemory_;
+    int splits_ = 0;             ///< of substeps in this step
     bool exactContacts_ = false; ///< normal impulses are exact rows, too
     double h_ = 0;               ///< s, of the usual substep
     double since_ = 0;           ///< s, since the step's beginning

@@ -24,7 +24,7 @@ constexpr double nearlyMet = 1e-4; // contacts, m
 // A substep after which the bodies have this share of energy more than the work done on them is one whose
 // equations contradict each other.
 constexpr double mostGain = 0.05;
-constexpr double leastGain = 1e-6; // J for each kg
+constexpr double leastGain = 5e-3; // J for each kg, as overlaps that are closed give
 // An error is removed no faster than this, m/s or rad/s.
 constexpr double fastestClosing = 10;
 constexpr int mostRounds = 12;

@@ -1,3 +1,0 @@
-o/engine_failure.o: \
- ../../../../../physics/dynamics/core/engine_failure.cpp \
- ../../../../../physics/dynamics/core/engine_failure.hpp
