@@ -122,7 +122,7 @@ void DynamicsResolver::updatePatches(Access& access) {
     auto& patches = access.provide<ContactPatches>().patches;
     patches.clear();
     simulation_.engine().addContactPatches(patches);
-    access.provide<ContactPatches>().step = simulation_.lag().step;
+    access.provide<ContactPatches>().step = simulation_.substep();
     std::stable_sort(patches.begin(), patches.end(), [](ContactPatch const& x, ContactPatch const& y) {
         return x.a != y.a ? x.a < y.a : x.b < y.b;
     });

@@ -1,4 +1,4 @@
-// The interface of rigid-body engines to Dynamics: Box2D, Chipmunk and ODE implement it.
+// The interface of rigid-body engines to Dynamics: our own, Box2D, Chipmunk and ODE implement it.
 #pragma once
 
 #include "physics/dynamics/core/drag.hpp"
@@ -116,6 +116,12 @@ public:
     /// touches at the beginning of the last substep, which may be cheaper; no touch is missed, but it may be
     /// reported a substep late. The motion is the same.
     virtual void findTouchesAtEnd(bool) {}
+    /// Sets whether the number of substeps is the engine's choice in all later steps, for each group of
+    /// touching bodies apart. Off at first. The settings' number is then that which the joints need. Returns
+    /// whether it will choose: not every engine does.
+    virtual bool chooseSubsteps(bool) { return false; }
+    /// Whether a constant force leads to the exact parabola in any number of substeps.
+    [[nodiscard]] virtual bool exactForConstantForces() const { return false; }
     /// Computes the motion for `duration` (s), split into the settings' substeps.
     virtual void step(double duration, DynamicsSettings const& settings) = 0;
     /// The bodies that were awake in the last step, ascending by slot.

@@ -186,18 +186,27 @@ DynamicsSettings Simulation::chosen(double duration, DynamicsColumns const& colu
     chosen.scale = engineScale_;
     double const share = shareOf(duration);
     chosen.substeps = static_cast<int>(std::ceil(share * chosen.substeps));
-    if (settings_.substeps == DynamicsSettings::automatic) {
+    bool const automatic = settings_.substeps == DynamicsSettings::automatic;
+    bool const own = engine_->chooseSubsteps(automatic) && automatic;
+    if (automatic) {
         bool const otherLoads = loadsNew_ && loads_.changedMuch();
         loadsNew_ = false;
         if (otherLoads || jointsNew_ || duration != demandFor_) {
             findJointDemand(duration, columns);
         }
-        if (otherLoads || contactsNew_) {
+        if (!own && (otherLoads || contactsNew_)) {
             findContactDemand(columns, touching);
         }
         double fastest = 0;
         double spin = 0;
         std::size_t moving = 0;
+        if (own) {
+            chosen.substeps = roundedSubsteps(std::max(jointSubsteps_, share * leastSubsteps));
+            choice_.substeps = static_cast<int>(std::lround(chosen.substeps / share));
+            choice_.velocityIterations = chosen.velocityIterations;
+            choice_.scale = chosen.scale;
+            return chosen;
+        }
         for (Body const& body : bodies_.bodies()) { // objects without bodies may have any velocity
             if (body.object.valid() && !body.fixed) {
                 ++moving;
@@ -242,7 +251,10 @@ bool Simulation::step(double duration, DynamicsColumns const& columns,
     engine_->step(duration, with);
     checkMotion();
     failures_ = 0;
-    lag_ = {duration, duration / with.substeps};
+    substep_ = duration / with.substeps;
+    // A force that is held throughout acts, on average, half of the time late, unless the engine makes up for
+    // some of it.
+    lag_ = {duration, engine_->exactForConstantForces() ? 0 : duration / with.substeps};
     loads_.noteSleepers(*engine_, with.sleeping);
     return true;
 }

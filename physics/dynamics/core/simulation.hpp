@@ -54,6 +54,8 @@ public:
     /// The settings with which the last step was computed.
     [[nodiscard]] SolverChoice const& choice() const { return choice_; }
     [[nodiscard]] ForceLag const& lag() const { return lag_; }
+    /// The length (s) of the engine's last substeps, for which it states impulses.
+    [[nodiscard]] double substep() const { return substep_; }
     /// To be called after the moved bodies have been written into the columns, so that the new versions do
     /// not count as changes by others.
     void noteWritten(DynamicsColumns const& columns) { motionVersion_ = columns.motionVersion(); }
@@ -87,6 +89,7 @@ private:
     DynamicsSettings settings_; // as stated
     SolverChoice choice_;
     ForceLag lag_;
+    double substep_ = 0;         // s
     double engineScale_ = 0;     // of the present engine
     double jointSubsteps_ = 0;   // that the joints need
     double contactSubsteps_ = 0; // that the contacts need

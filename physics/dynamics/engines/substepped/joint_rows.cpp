@@ -32,6 +32,15 @@ struct JointRows::Ends {
     Vec2 armB;
     Vec2 apart; // from b's anchor to a's
     Vec2 axis;
+    Vec2 parting; // m/s, how `apart` changes
+    Vec2 curving; // m/s², how `parting` changes if no body accelerates
+
+    // How fast the length of `apart` changes its rate, if no body accelerates.
+    [[nodiscard]] static double bendOfLength(Vec2 along, double size, Vec2 rate, Vec2 curve) {
+        double const lengthening = dot(along, rate);
+        return dot(along, curve) +
+               (size > shortest ? (lengthSquared(rate) - lengthening * lengthening) / size : 0);
+    }
 };
 
 JointRows::JointRows(JointSpec const& spec, JointRows const* first, JointRows const* second)
@@ -58,6 +67,20 @@ int JointRows::bodyOf(SlotIndex slot) {
     return bodies_++;
 }
 
+std::array<double, 5> JointRows::impulses() const {
+    std::array<double, 5> impulses{};
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+        impulses[i] = rows_[i].impulse;
+    }
+    return impulses;
+}
+
+void JointRows::setImpulses(std::array<double, 5> const& impulses) {
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+        rows_[i].impulse = impulses[i];
+    }
+}
+
 bool JointRows::restless() const {
     bool const drives = joint_.form == JointForm::hinge || joint_.form == JointForm::slider ||
                         joint_.form == JointForm::wheel;
@@ -72,6 +95,9 @@ JointRows::Ends JointRows::endsOf(std::span<JointPose const> poses) const {
     ends.armB = rotated(anchors_.onB, ends.b.angle);
     ends.apart = ends.a.centre + ends.armA - ends.b.centre - ends.armB;
     ends.axis = rotated(anchors_.axis, ends.b.angle);
+    ends.parting = ends.a.velocity + ends.a.spin * perpendicular(ends.armA) - ends.b.velocity -
+                   ends.b.spin * perpendicular(ends.armB);
+    ends.curving = ends.b.spin * ends.b.spin * ends.armB - ends.a.spin * ends.a.spin * ends.armA;
     return ends;
 }
 
@@ -82,16 +108,20 @@ JointRows::Coordinate JointRows::turn(Ends const& ends) const {
 // The displacement along a direction that rotates with b. As b's rotation turns the direction, b's arm
 // reaches to the anchor of a.
 JointRows::Coordinate JointRows::shift(Ends const& ends, Vec2 direction) const {
+    double const spin = ends.b.spin;
     return {dot(direction, ends.apart),
             {{{a_, direction, cross(ends.armA, direction)},
-              {b_, -direction, -cross(ends.apart + ends.armB, direction)}}}};
+              {b_, -direction, -cross(ends.apart + ends.armB, direction)}}},
+            dot(direction, ends.curving) + 2 * spin * dot(perpendicular(direction), ends.parting) -
+                spin * spin * dot(direction, ends.apart)};
 }
 
 JointRows::Coordinate JointRows::distance(Ends const& ends) const {
     double const size = length(ends.apart);
     Vec2 const direction = size > shortest ? ends.apart / size : Vec2{1, 0};
     return {size,
-            {{{a_, direction, cross(ends.armA, direction)}, {b_, -direction, -cross(ends.armB, direction)}}}};
+            {{{a_, direction, cross(ends.armA, direction)}, {b_, -direction, -cross(ends.armB, direction)}}},
+            Ends::bendOfLength(direction, size, ends.parting, ends.curving)};
 }
 
 JointRows::Coordinate JointRows::coordinate(std::span<JointPose const> poses) const {
@@ -111,12 +141,14 @@ JointRow& JointRows::row(Coordinate const& along, double scale) {
     }
     made.low = -unbounded;
     made.high = unbounded;
+    made.bend = scale * along.bend;
     return made;
 }
 
 void JointRows::rigid(Coordinate const& along, double error) {
     JointRow& made = row(along);
     made.corrects = true;
+    made.error = error;
     made.correction = std::clamp(-correctionShare * error / h_, -fastestCorrection, fastestCorrection);
 }
 
@@ -125,6 +157,7 @@ void JointRows::pin(Ends const& ends) {
         Coordinate along = shift(ends, direction);
         // The direction is fixed in the world, so no body rotates it.
         along.terms[1].angular = -cross(ends.armB, direction);
+        along.bend = dot(direction, ends.curving);
         rigid(along, along.value);
     }
 }
@@ -147,6 +180,7 @@ void JointRows::limit(Coordinate const& along) {
     auto const side = [&](double inside, double sign) {
         JointRow& stop = row(along, sign);
         stop.low = 0;
+        stop.error = inside;
         stop.speed = -std::max(inside, 0.0) / h_;
         stop.corrects = inside < 0;
         stop.correction = std::min(-correctionShare * std::min(inside, 0.0) / h_, fastestCorrection);
@@ -155,15 +189,28 @@ void JointRows::limit(Coordinate const& along) {
     side(joint_.upper - along.value, -1);
 }
 
-void JointRows::spring(Coordinate const& along, double error) {
+void JointRows::spring(Coordinate const& along, double error, std::span<JointPose const> poses) {
     JointRow& made = row(along);
+    double inverse = 0;
+    for (RowTerm const& term : along.terms) {
+        JointPose const& pose = poses[static_cast<std::size_t>(term.body)];
+        inverse +=
+            pose.inverseMass * lengthSquared(term.linear) + pose.inverseInertia * term.angular * term.angular;
+    }
+    if (h_ * std::sqrt(joint_.stiffness * inverse) <= widestSwing_) {
+        made.pull = -joint_.stiffness * error;
+        made.damping = joint_.dampingRate;
+        made.softness = joint_.dampingRate > 0 ? 1 / (h_ * joint_.dampingRate) : unbounded;
+        return;
+    }
     double const resistance = h_ * (joint_.dampingRate + h_ * joint_.stiffness);
     made.softness = resistance > 0 ? 1 / resistance : unbounded;
     made.speed = -error * h_ * joint_.stiffness * made.softness;
 }
 
-void JointRows::prepare(std::span<JointPose const> poses, double h) {
+void JointRows::prepare(std::span<JointPose const> poses, double h, double widestSwing) {
     h_ = h;
+    widestSwing_ = widestSwing;
     count_ = 0;
     Ends const ends = endsOf(poses);
     switch (joint_.form) {
@@ -189,7 +236,7 @@ void JointRows::prepare(std::span<JointPose const> poses, double h) {
         Coordinate const along = shift(ends, ends.axis);
         Coordinate const across = shift(ends, perpendicular(ends.axis));
         drive(turn(ends));
-        spring(along, along.value);
+        spring(along, along.value, poses);
         limit(along);
         rigid(across, across.value);
         break;
@@ -201,17 +248,12 @@ void JointRows::prepare(std::span<JointPose const> poses, double h) {
     }
     case JointForm::rope: {
         Coordinate const along = distance(ends);
-        double const slack = anchors_.length - along.value;
-        JointRow& taut = row(along, -1);
-        taut.low = 0;
-        taut.speed = -std::max(slack, 0.0) / h;
-        taut.corrects = slack < 0;
-        taut.correction = std::min(-correctionShare * std::min(slack, 0.0) / h, fastestCorrection);
+        taut(along, anchors_.length - along.value);
         break;
     }
     case JointForm::spring: {
         Coordinate const along = distance(ends);
-        spring(along, along.value - anchors_.length);
+        spring(along, along.value - anchors_.length, poses);
         break;
     }
     case JointForm::pulley:
@@ -237,16 +279,33 @@ void JointRows::prepare(std::span<JointPose const> poses, double h) {
     }
 }
 
+// A rope pulls and never pushes: at most it becomes taut within this substep.
+void JointRows::taut(Coordinate const& along, double slack) {
+    JointRow& made = row(along, -1);
+    made.low = 0;
+    made.error = slack;
+    made.speed = -std::max(slack, 0.0) / h_;
+    made.corrects = slack < 0;
+    made.correction = std::min(-correctionShare * std::min(slack, 0.0) / h_, fastestCorrection);
+}
+
 void JointRows::preparePulley(Ends const& ends) {
     Vec2 const ropeA = ends.a.centre + ends.armA - joint_.groundA;
     Vec2 const ropeB = ends.b.centre + ends.armB - joint_.groundB;
     double const sizeA = length(ropeA);
     double const sizeB = length(ropeB);
     Vec2 const alongA = sizeA > shortest ? ropeA / sizeA : Vec2{0, -1};
-    Vec2 const alongB = joint_.ratio * (sizeB > shortest ? ropeB / sizeB : Vec2{0, -1});
+    Vec2 const unitB = sizeB > shortest ? ropeB / sizeB : Vec2{0, -1};
+    Vec2 const alongB = joint_.ratio * unitB;
+    auto const bend = [](JointPose const& pose, Vec2 arm, Vec2 along, double size) {
+        return Ends::bendOfLength(along, size, pose.velocity + pose.spin * perpendicular(arm),
+                                  -pose.spin * pose.spin * arm);
+    };
     Coordinate const sum{sizeA + joint_.ratio * sizeB,
-                         {{{a_, alongA, cross(ends.armA, alongA)}, {b_, alongB, cross(ends.armB, alongB)}}}};
-    rigid(sum, sum.value - anchors_.length - joint_.ratio * anchors_.lengthB);
+                         {{{a_, alongA, cross(ends.armA, alongA)}, {b_, alongB, cross(ends.armB, alongB)}}},
+                         bend(ends.a, ends.armA, alongA, sizeA) +
+                             joint_.ratio * bend(ends.b, ends.armB, unitB, sizeB)};
+    taut(sum, anchors_.length + joint_.ratio * anchors_.lengthB - sum.value);
 }
 
 void JointRows::prepareGear(std::span<JointPose const> poses) {
@@ -258,6 +317,7 @@ void JointRows::prepareGear(std::span<JointPose const> poses) {
     }
     rigid(first, sum - *constant_);
     JointRow& both = rows_[0];
+    both.bend += joint_.ratio * second.bend;
     for (RowTerm const& term : second.terms) {
         auto const end = both.terms.begin() + both.count;
         auto at =
@@ -271,14 +331,14 @@ void JointRows::prepareGear(std::span<JointPose const> poses) {
     }
 }
 
-Vec2 JointRows::impulseOnA() const {
+Vec2 JointRows::impulseOnA(double h) const {
     Vec2 sum;
     for (int i = 0; i < count_; ++i) {
         JointRow const& one = rows_[static_cast<std::size_t>(i)];
         for (int n = 0; n < one.count; ++n) {
             RowTerm const& term = one.terms[static_cast<std::size_t>(n)];
             if (term.body == a_) {
-                sum += one.impulse * term.linear;
+                sum += (one.impulse + h * one.pull) * term.linear;
             }
         }
     }

@@ -120,15 +120,15 @@ TEST(JointRows, FollowTheirConstraintsAsTheBodiesMove) {
     Measure const distance = [](Pair const& p) { return length(endsApart(p)); };
     Measure const slid = [](Pair const& p) { return dot(axisOf(p), endsApart(p)); };
     Measure const off = [](Pair const& p) { return dot(perpendicular(axisOf(p)), endsApart(p)); };
-    Measure const rope = [](Pair const& p) {
-        return length(Pair::endOf(p.poses[0], p.anchors.onA) - p.joint.groundA) +
-               p.joint.ratio * length(Pair::endOf(p.poses[1], p.anchors.onB) - p.joint.groundB);
+    Measure const slack = [](Pair const& p) { // of a pulley's rope, but for its whole length
+        return -(length(Pair::endOf(p.poses[0], p.anchors.onA) - p.joint.groundA) +
+                 p.joint.ratio * length(Pair::endOf(p.poses[1], p.anchors.onB) - p.joint.groundB));
     };
     std::vector<Case> const cases{
         {JointForm::hinge, {apartX, apartY}}, {JointForm::weld, {turned, apartX, apartY}},
         {JointForm::slider, {turned, off}},   {JointForm::wheel, {slid, off}},
         {JointForm::distance, {distance}},    {JointForm::spring, {distance}},
-        {JointForm::pulley, {rope}},
+        {JointForm::pulley, {slack}},
     };
     for (Case const& c : cases) {
         EXPECT_TRUE(rc::check("a row is the derivative of what it holds", [&] {
@@ -149,6 +149,39 @@ TEST(JointRows, FollowTheirConstraintsAsTheBodiesMove) {
                 };
                 double const rate = (moved(step) - moved(-step)) / (2 * step);
                 RC_ASSERT(std::abs(along(rows.rows()[i], pair.velocities) - rate) < 1e-6);
+            }
+        }));
+    }
+}
+
+// What a row's rate grows by while no body accelerates, against a difference of rates.
+TEST(JointRows, BendAsTheBodiesMoveOn) {
+    for (JointForm const form : {JointForm::hinge, JointForm::weld, JointForm::slider, JointForm::wheel,
+                                 JointForm::distance, JointForm::rope, JointForm::pulley}) {
+        EXPECT_TRUE(rc::check("a row's bend is the derivative of its rate", [&] {
+            Pair const pair = anyPair(form);
+            RC_PRE(length(endsApart(pair)) > 0.1);
+            auto const rowsAt = [&](double t) {
+                Pair there = pair;
+                for (std::size_t body = 0; body < 2; ++body) {
+                    there.poses[body].centre += t * pair.velocities[body].linear;
+                    there.poses[body].angle += t * pair.velocities[body].angular;
+                    there.poses[body].velocity = pair.velocities[body].linear;
+                    there.poses[body].spin = pair.velocities[body].angular;
+                }
+                JointRows rows = pair.rows();
+                rows.prepare(there.poses, 1.0 / 240);
+                return rows;
+            };
+            constexpr double step = 1e-6;
+            JointRows now = rowsAt(0);
+            JointRows before = rowsAt(-step);
+            JointRows after = rowsAt(step);
+            for (std::size_t i = 0; i < now.rows().size(); ++i) {
+                double const bend =
+                    (along(after.rows()[i], pair.velocities) - along(before.rows()[i], pair.velocities)) /
+                    (2 * step);
+                RC_ASSERT(std::abs(now.rows()[i].bend - bend) < 1e-5 * (1 + std::abs(bend)));
             }
         }));
     }

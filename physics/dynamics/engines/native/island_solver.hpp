@@ -1,0 +1,120 @@
+// One island through one step.
+#pragma once
+
+#include "physics/dynamics/engines/native/native_engine.hpp"
+
+#include <vector>
+
+namespace trembler::native {
+
+/// A contact as a damped spring, for its points' effective masses.
+struct Softness {
+    double bias = 0;  ///< 1/s, the share of an overlap that is closed
+    double yield = 0; ///< how much of its mass a spring yields
+};
+
+/// With what a body moves in a substep.
+struct Drift {
+    Vec2 velocity;   ///< m/s
+    double spin = 0; ///< rad/s
+};
+
+[[nodiscard]] Softness softness(double h);
+/// Overlapping bodies part no faster than this, m/s.
+inline constexpr double fastestParting = 0.5;
+
+class IslandSolver {
+public:
+    IslandSolver(NativeEngine& engine, Island const& island, DynamicsSettings const& settings);
+    void run(double duration);
+
+private:
+    /// Substeps of the step that the island needs.
+    [[nodiscard]] int demand(double duration) const;
+    /// The time (s), at most `remaining`, for which the contacts that are known now suffice.
+    [[nodiscard]] double interval(double remaining) const;
+    [[nodiscard]] double safeTime(Contact const& contact, double remaining) const;
+    void findContacts(double time);
+    void makeRows();
+    void substep(double h, int halvings = 0);
+
+    void startRows(double h);
+    void accelerate(SlotIndex slot, double h);
+    void solveContacts(double h, bool bias);
+    void findBearing();
+    void move(double h);
+    void noteForces(double h);
+
+    // joined_substep.cpp
+    /// A substep of an island with joints.
+    /// Returns whether the joints are closed after it.
+    bool joinedSubstep(double h);
+    void remember();
+    void restore();
+    void springLoads(std::vector<Load>& loads) const;
+    void prepareJoints(double h, bool trial);
+    void takeExactRows(bool anew);
+    void solveBounded();
+    void findContactErrors(double h, std::size_t first);
+    void noteNormals();
+    /// The island's kinetic energy after a substep over what it may have.
+    [[nodiscard]] double gainOf(double h) const;
+    void takeGainAway(double h);
+    [[nodiscard]] bool wantsExactContacts() const;
+    void give(ExactRow const& row, double impulse, double share);
+    [[nodiscard]] bool findWeights();
+    [[nodiscard]] Drift driftOf(SlotIndex slot) const;
+    bool closeGaps(double h, int rounds);
+    void stopRates(double h, int rounds);
+    [[nodiscard]] double rateOf(ExactRow const& row) const;
+
+    // smooth_motion.cpp
+    /// Moves an island of joints, on which nothing else acts, for as long (s) as this lasts, and returns how
+    /// long.
+    double moveSmoothly(double duration);
+
+    // impact.cpp
+    struct Hit {
+        double after = 0; ///< s
+        bool any = false;
+    };
+    /// The first impact with restitution within `time` (s); marks all rows that await one within it.
+    [[nodiscard]] Hit firstHit(double time);
+    /// Lets all bodies that are about to meet bounce; `ahead` (s): how much earlier than they would.
+    void bounce(double ahead);
+    [[nodiscard]] double approachLimit(ContactRow const& row, double h) const;
+    bool strike(ContactRow& row, double slowest);
+
+    [[nodiscard]] MovingState& stateOf(SlotIndex slot) { return engine_.states_[slot]; }
+    [[nodiscard]] MovingState const& stateOf(SlotIndex slot) const { return engine_.states_[slot]; }
+    [[nodiscard]] double gapOf(ContactRow const& row, std::size_t point) const;
+    [[nodiscard]] double normalSpeed(ContactRow const& row, PointRow const& point) const;
+    void push(ContactRow const& row, PointRow const& point, double normal, double across);
+    void noteImpact(ContactRow const& row, double impulse);
+
+    friend class SmoothMotion;
+
+    NativeEngine& engine_;
+    Island const& island_;
+    DynamicsSettings const& settings_;
+    std::vector<ContactRow>& rows_;
+    std::vector<Contact*>& seams_;
+    struct Memory {
+        Vec2 centre;
+        double angle = 0;
+        MovingState state;
+        DraggedBody dragged;
+    };
+    struct JointMemory {
+        double last = 0;
+        std::array<double, 5> impulses{};
+    };
+    std::vector<Memory> memory_; ///< of the bodies before a substep
+    std::vector<JointMemory> jointMemory_;
+    int splits_ = 0;             ///< of substeps in this step
+    bool exactContacts_ = false; ///< normal impulses are exact rows, too
+    double h_ = 0;               ///< s, of the usual substep
+    double since_ = 0;           ///< s, since the step's beginning
+};
+
+} // namespace trembler::native

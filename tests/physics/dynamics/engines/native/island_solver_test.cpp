@@ -1,0 +1,76 @@
+// Stacks stand where geometry says, whatever their size and whatever rests on them.
+#include "tests/physics/dynamics/engines/native/small_world.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include <cmath>
+
+namespace trembler::test {
+namespace island_solver_test {
+namespace {
+
+double unit() {
+    return *rc::gen::inRange(0, 1000001) / 1e6;
+}
+
+TEST(IslandSolver, StacksOfAnySizeStand) {
+    EXPECT_TRUE(rc::check([] {
+        double const size = 0.02 * std::pow(50, unit());
+        int const boxes = *rc::gen::inRange(1, 11);
+        SmallWorld world;
+        world.floor();
+        SlotIndex top = 0;
+        for (int i = 0; i < boxes; ++i) {
+            top = world.add(boxShape(size, size), {.at = {0, size * (i + 0.5)}});
+        }
+        world.step(300);
+        RC_ASSERT(std::abs(world.motions[top].centre.y - size * (boxes - 0.5)) < 1e-3);
+        RC_ASSERT(std::abs(world.motions[top].centre.x) < 1e-3);
+    }));
+}
+
+TEST(IslandSolver, StacksBearAThousandTimesTheirWeight) {
+    for (double const ratio : {10.0, 100.0, 1000.0}) {
+        SmallWorld world;
+        world.floor();
+        for (int i = 0; i < 5; ++i) {
+            world.add(boxShape(0.2, 0.2), {.at = {0, 0.2 * (i + 0.5)}, .mass = 4});
+        }
+        SlotIndex const weight = world.add(boxShape(0.4, 0.4), {.at = {0, 1.2}, .mass = 4 * ratio});
+        for (int i = 0; i < 600; ++i) {
+            world.step();
+            ASSERT_NEAR(world.motions[weight].centre.y, 1.2, 2e-3) << ratio << ", frame " << i;
+        }
+    }
+}
+
+// Whichever box was made first.
+TEST(IslandSolver, AStackStandsTheSameIfItIsMadeFromTheTop) {
+    SmallWorld world;
+    world.floor();
+    std::vector<SlotIndex> boxes;
+    for (int i = 9; i >= 0; --i) {
+        boxes.push_back(world.add(boxShape(0.2, 0.2), {.at = {0, 0.2 * (i + 0.5)}}));
+    }
+    world.step(300);
+    EXPECT_NEAR(world.motions[boxes[0]].centre.y, 1.9, 1e-3);
+}
+
+TEST(IslandSolver, SlidesAsFarAsFrictionLets) {
+    EXPECT_TRUE(rc::check([] {
+        double const friction = 0.1 + unit();
+        double const speed = 0.5 + 5 * unit();
+        SmallWorld world;
+        world.add(boxShape(200, 0.2), {.at = {0, -0.1}, .friction = friction, .fixed = true});
+        SlotIndex const box =
+            world.add(boxShape(0.4, 0.1), {.at = {0, 0.05}, .velocity = {speed, 0}, .friction = friction});
+        world.step(60 + static_cast<int>(60 * speed / (friction * standardGravity)));
+        double const way = speed * speed / (2 * friction * standardGravity);
+        RC_ASSERT(std::abs(world.motions[box].centre.x - way) < 0.01 * way + 1e-3);
+    }));
+}
+
+} // namespace
+} // namespace island_solver_test
+} // namespace trembler::test

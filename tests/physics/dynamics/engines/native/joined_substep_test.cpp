@@ -1,0 +1,73 @@
+// Joints with contacts: what bears does not bend, and what strikes does not tear.
+#include "tests/physics/dynamics/engines/native/small_world.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace trembler::test {
+namespace joined_substep_test {
+namespace {
+
+TEST(JoinedSubstep, WeldedBoxesBearALoadWithoutBending) {
+    SmallWorld world;
+    SlotIndex last = world.add(boxShape(2, 0.2), {.at = {-1, -0.1}, .fixed = true});
+    for (int i = 0; i < 10; ++i) {
+        SlotIndex const box = world.add(boxShape(0.2, 0.2), {.at = {0.1 + 0.2 * i, -0.1}, .mass = 0.5});
+        world.join(JointForm::weld, box, last, {0.2 * i, -0.1}, {0.2 * i, -0.1});
+        last = box;
+    }
+    SlotIndex const load = world.add(boxShape(0.2, 0.2), {.at = {1.9, 0.1}, .mass = 1});
+    world.step(600);
+    EXPECT_NEAR(world.motions[last].centre.y, -0.1, 1e-6);
+    EXPECT_NEAR(world.motions[load].centre.y, 0.1, 1e-3);
+}
+
+// A chain that falls onto itself and onto the floor.
+TEST(JoinedSubstep, AChainThatStrikesThingsKeepsItsLengthAndGainsNoEnergy) {
+    for (double const ratio : {1.0, 100.0}) {
+        SmallWorld world;
+        world.add(boxShape(20, 0.2), {.at = {0, -3}, .fixed = true});
+        SlotIndex last = noSlot;
+        constexpr int links = 20;
+        double mass = 0;
+        std::vector<SlotIndex> chain;
+        for (int i = 0; i < links; ++i) {
+            SlotIndex const link = world.add(boxShape(0.2, 0.04), {.at = {0.2 * (i + 0.5), 0}});
+            mass = world.masses[link];
+            world.hinge(link, last, {0.2 * i, 0});
+            last = link;
+            chain.push_back(link);
+        }
+        SlotIndex const ball =
+            world.add(discShape(0.1), {.at = {0.2 * links + 0.1, 0}, .mass = ratio * mass});
+        world.hinge(ball, last, {0.2 * links, 0});
+        double const before = world.energy();
+        for (int i = 0; i < 300; ++i) {
+            world.step();
+            for (std::size_t n = 1; n < chain.size(); ++n) {
+                Motion const& one = world.motions[chain[n - 1]];
+                Motion const& next = world.motions[chain[n]];
+                Vec2 const gap =
+                    one.centre + rotated({0.1, 0}, one.angle) - next.centre - rotated({-0.1, 0}, next.angle);
+                ASSERT_LT(length(gap), 1e-4) << ratio << ", frame " << i << ", link " << n;
+            }
+            ASSERT_LT(world.energy(), before + 0.01 * ratio * mass * standardGravity * 4)
+                << ratio << ", frame " << i;
+        }
+    }
+}
+
+TEST(JoinedSubstep, ARopePullsAndNeverPushes) {
+    SmallWorld world(0);
+    SlotIndex const ball = world.add(discShape(0.1), {.at = {0.5, 0}, .velocity = {-1, 0}});
+    world.join(JointForm::rope, ball, noSlot, {0.5, 0}, {0, 0}, 1);
+    world.step(60);
+    EXPECT_NEAR(world.motions[ball].centre.x, -0.5, 1e-6); // slack
+    world.step(60);
+    EXPECT_GT(world.motions[ball].centre.x, -1 - 1e-6); // taut
+}
+
+} // namespace
+} // namespace joined_substep_test
+} // namespace trembler::test
