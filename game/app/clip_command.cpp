@@ -1,16 +1,16 @@
 // trembler clip: a moving picture of a run.
 #include "game/app/commands.hpp"
 #include "game/app/mods/mods.hpp"
-#include "game/app/options/file_rules.hpp"
-#include "game/app/options/number_options.hpp"
-#include "game/app/options/outputs.hpp"
-#include "game/app/options/picture_size.hpp"
-#include "game/app/options/solution_option.hpp"
+#include "game/app/options/files/file_rules.hpp"
+#include "game/app/options/files/outputs.hpp"
+#include "game/app/options/run/solution_option.hpp"
+#include "game/app/options/values/number_options.hpp"
+#include "game/app/options/values/picture_size.hpp"
 #include "game/app/progress.hpp"
 #include "runtime/level/json/limits.hpp"
 
 #ifndef TREMBLER_HEADLESS
-#include "game/app/options/inputs.hpp"
+#include "game/app/options/files/inputs.hpp"
 #include "game/ui/headless/clip.hpp"
 #endif
 

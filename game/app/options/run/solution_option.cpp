@@ -1,6 +1,6 @@
-#include "game/app/options/solution_option.hpp"
+#include "game/app/options/run/solution_option.hpp"
 
-#include "game/app/options/rule.hpp"
+#include "game/app/options/rule/rule.hpp"
 #include "puzzle/checks/checked_level.hpp"
 
 #include <fmt/format.h>
