@@ -1,9 +1,9 @@
 // trembler accuracy: measures the error and the cost of every detail level.
 #include "game/app/commands.hpp"
-#include "game/app/options/file_rules.hpp"
-#include "game/app/options/inputs.hpp"
-#include "game/app/options/number_options.hpp"
-#include "game/app/options/outputs.hpp"
+#include "game/app/options/files/file_rules.hpp"
+#include "game/app/options/files/inputs.hpp"
+#include "game/app/options/files/outputs.hpp"
+#include "game/app/options/values/number_options.hpp"
 #include "game/app/progress.hpp"
 #include "measure/accuracy/ladder.hpp"
 #include "measure/accuracy/plot.hpp"

@@ -1,16 +1,16 @@
 // trembler clip: a moving picture of a run.
 #include "game/app/commands.hpp"
 #include "game/app/mods/mods.hpp"
-#include "game/app/options/file_rules.hpp"
-#include "game/app/options/number_options.hpp"
-#include "game/app/options/outputs.hpp"
-#include "game/app/options/picture_size.hpp"
-#include "game/app/options/solution_option.hpp"
+#include "game/app/options/files/file_rules.hpp"
+#include "game/app/options/files/outputs.hpp"
+#include "game/app/options/run/solution_option.hpp"
+#include "game/app/options/values/number_options.hpp"
+#include "game/app/options/values/picture_size.hpp"
 #include "game/app/progress.hpp"
 #include "runtime/level/json/limits.hpp"
 
 #ifndef TREMBLER_HEADLESS
-#include "game/app/options/inputs.hpp"
+#include "game/app/options/files/inputs.hpp"
 #include "game/ui/headless/clip.hpp"
 #endif
 
@@ -49,8 +49,6 @@ int makeClip(ClipArguments const&) {
 int makeClip(ClipArguments const& arguments) {
     auto const data = gameDataFor(arguments.level, arguments.mods);
     ui::ClipOptions options;
-    options.level = arguments.level;
-    options.solution = arguments.solution;
     PictureSize const size = *pictureSizeFrom(arguments.size); // checked with the other options
     options.size = {size.width, size.height};
     options.from = arguments.from.value_or(options.from);
@@ -58,7 +56,7 @@ int makeClip(ClipArguments const& arguments) {
     options.rate = arguments.rate;
     options.overlays.electricity = arguments.electricity;
     options.overlays.forces = arguments.forces;
-    checkSolutionStated(*data, arguments.level, arguments.solution);
+    auto const session = sessionStated(*data, arguments.level, arguments.solution);
     Outputs outputs;
     readsAll(outputs, *data);
     outputs.reads(arguments.level);
@@ -70,7 +68,7 @@ int makeClip(ClipArguments const& arguments) {
     }
     Progress progress;
     options.progress = [&](std::uint64_t done, std::uint64_t of) { progress.frames(done, of); };
-    ui::writeClip(*data, options, *file);
+    ui::writeClip(*session, options, *file);
     progress.clear();
     outputs.finish();
     if (!file->isStandardOutput()) {

@@ -2,9 +2,9 @@
 // that each level's scene activates.
 #include "game/app/commands.hpp"
 #include "game/app/mods/mods.hpp"
-#include "game/app/options/choice_option.hpp"
-#include "game/app/options/inputs.hpp"
-#include "game/app/options/outputs.hpp"
+#include "game/app/options/files/inputs.hpp"
+#include "game/app/options/files/outputs.hpp"
+#include "game/app/options/values/choice_option.hpp"
 #include "measure/activation/report.hpp"
 #include "puzzle/data/effects.hpp"
 #include "puzzle/data/game_data.hpp"

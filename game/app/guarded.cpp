@@ -1,5 +1,5 @@
 #include "game/app/commands.hpp"
-#include "game/app/options/rule.hpp"
+#include "game/app/options/rule/rule.hpp"
 #include "runtime/file/visible_text.hpp"
 #include "runtime/level/json/diagnostic.hpp"
 

@@ -1,7 +1,7 @@
 // trembler keys: lists every command of the window with its keys, and the mouse's gestures; docs/players.md
 // is made from these lists.
 #include "game/app/commands.hpp"
-#include "game/app/options/outputs.hpp"
+#include "game/app/options/files/outputs.hpp"
 
 #ifndef TREMBLER_HEADLESS
 #include "game/ui/app/command_lists.hpp"

@@ -1,7 +1,7 @@
 #include "game/app/program.hpp"
 
-#include "game/app/options/refusal.hpp"
-#include "game/app/options/rule.hpp"
+#include "game/app/options/rule/refusal.hpp"
+#include "game/app/options/rule/rule.hpp"
 
 #include <exception>
 #include <sstream>

@@ -1,12 +1,12 @@
 // trembler run: runs a level without a window.
 #include "game/app/commands.hpp"
 #include "game/app/mods/mods.hpp"
-#include "game/app/options/assignments.hpp"
-#include "game/app/options/file_rules.hpp"
-#include "game/app/options/number_options.hpp"
-#include "game/app/options/run_arguments.hpp"
-#include "game/app/options/solution_option.hpp"
-#include "game/app/options/watch_option.hpp"
+#include "game/app/options/files/file_rules.hpp"
+#include "game/app/options/run/run_arguments.hpp"
+#include "game/app/options/run/solution_option.hpp"
+#include "game/app/options/run/watch_option.hpp"
+#include "game/app/options/values/assignments.hpp"
+#include "game/app/options/values/number_options.hpp"
 #include "runtime/level/json/limits.hpp"
 
 #include <memory>

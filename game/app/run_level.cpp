@@ -2,12 +2,12 @@
 #include "game/app/budget_report.hpp"
 #include "game/app/commands.hpp"
 #include "game/app/mods/mods.hpp"
-#include "game/app/options/assignments.hpp"
-#include "game/app/options/inputs.hpp"
-#include "game/app/options/run_arguments.hpp"
-#include "game/app/options/solution_option.hpp"
-#include "game/app/options/sound_option.hpp"
-#include "game/app/options/watch_option.hpp"
+#include "game/app/options/files/inputs.hpp"
+#include "game/app/options/run/run_arguments.hpp"
+#include "game/app/options/run/solution_option.hpp"
+#include "game/app/options/run/sound_option.hpp"
+#include "game/app/options/run/watch_option.hpp"
+#include "game/app/options/values/assignments.hpp"
 #include "game/app/progress.hpp"
 #include "insight/probe/plot.hpp"
 #include "insight/probe/watch_table.hpp"
@@ -17,6 +17,7 @@
 #include "puzzle/checks/checked_level.hpp"
 #include "puzzle/run/frame_account.hpp"
 #include "runtime/file/visible_text.hpp"
+#include "runtime/level/read/read_level.hpp"
 #include "runtime/level/write/write_level.hpp"
 
 #include <fmt/format.h>
@@ -154,14 +155,13 @@ void tellOfSlowness(RunOptions& run, Session const& session, Progress& progress)
 int runLevel(RunArguments const& arguments) {
     auto const data = gameDataFor(arguments.level, arguments.mods);
     GameData const& gameData = *data;
-    LevelFile level =
-        loadPlayable(gameData.registry, gameData.parts, arguments.level, detailOf(arguments.detail));
-    std::vector<std::string> const doubts =
-        doubtsAbout(gameData.registry, gameData.parts, level, detailOf(arguments.detail));
+    LevelFile level = loadLevel(gameData.registry, arguments.level);
     if (arguments.substeps) {
         setSubsteps(level, *arguments.substeps);
     }
-    WorldOptions const options = optionsOf(arguments, gameData.registry, level);
+    WorldOptions options = optionsOf(arguments, gameData.registry, level);
+    BuiltLevel built = checkPlayable(gameData.registry, gameData.parts, level, options);
+    std::vector<std::string> const doubts = doubtsAbout(gameData.parts, level, built);
     std::optional<Solution> solution;
     if (!arguments.solution.empty()) {
         solution = solutionStated(gameData.registry, level, arguments.solution);
@@ -182,7 +182,8 @@ int runLevel(RunArguments const& arguments) {
     OutputFile* const svg = outputs.add("--svg", arguments.svg);
     outputs.claimFile("--sound", arguments.sound, "a file whose name ends in .wav");
 
-    Session session(gameData.registry, gameData.parts, std::move(level), options);
+    Session session(gameData.registry, gameData.parts,
+                    ReadyLevel{std::move(level), std::move(options), std::move(built)});
     if (arguments.record) {
         if (auto const whyNot = session.whyNotRecorded()) {
             throw std::invalid_argument(fmt::format("--record {}: {}", *arguments.record, *whyNot));

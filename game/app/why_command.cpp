@@ -1,12 +1,12 @@
 // trembler why: why something happened in a run, or why a goal was not met.
 #include "game/app/commands.hpp"
 #include "game/app/mods/mods.hpp"
-#include "game/app/options/choice_option.hpp"
-#include "game/app/options/file_rules.hpp"
-#include "game/app/options/inputs.hpp"
-#include "game/app/options/number_options.hpp"
-#include "game/app/options/outputs.hpp"
-#include "game/app/options/solution_option.hpp"
+#include "game/app/options/files/file_rules.hpp"
+#include "game/app/options/files/inputs.hpp"
+#include "game/app/options/files/outputs.hpp"
+#include "game/app/options/run/solution_option.hpp"
+#include "game/app/options/values/choice_option.hpp"
+#include "game/app/options/values/number_options.hpp"
 #include "game/app/progress.hpp"
 #include "insight/why/words/words.hpp"
 #include "puzzle/campaign/as_played.hpp"
@@ -84,13 +84,13 @@ Catalogue catalogueFor(GameData const& data, std::string const& language) {
     return language == "en" ? Catalogue() : Catalogue(data.home / "assets" / "text", language);
 }
 
-std::string goalText(LevelFile const& level, GameData const& data, std::string const& id,
+/// `world` is that of the level at its beginning.
+std::string goalText(LevelFile const& level, World const& world, std::string const& id,
                      Catalogue const& catalogue, bool english) {
-    auto const world = buildWorld(data.registry, level, data.parts);
-    GoalJudge const judge(level, *world);
+    GoalJudge const judge(level, world);
     GermanSpeech const german(catalogue);
     std::vector<std::string> const texts =
-        goalSentences(level, *world, english ? englishSpeech() : static_cast<Speech const&>(german));
+        goalSentences(level, world, english ? englishSpeech() : static_cast<Speech const&>(german));
     for (std::size_t i = 0; i < judge.status().size() && i < texts.size(); ++i) {
         if (judge.status()[i].id == id) {
             return texts[i];
@@ -102,7 +102,8 @@ std::string goalText(LevelFile const& level, GameData const& data, std::string c
 int answerWhy(WhyArguments const& arguments) {
     insight::Question const question = questionFrom(arguments);
     auto const data = gameDataFor(arguments.level, arguments.mods);
-    LevelFile level = loadPlayable(data->registry, data->parts, arguments.level);
+    ReadyLevel ready = loadPlayable(data->registry, data->parts, arguments.level);
+    LevelFile& level = ready.level;
     Catalogue const catalogue = catalogueFor(*data, arguments.language);
     bool const english = arguments.language == "en";
     Solution solution;
@@ -141,8 +142,9 @@ int answerWhy(WhyArguments const& arguments) {
 
     insight::AnswerLanguage const language =
         english ? insight::AnswerLanguage() : insight::AnswerLanguage(catalogue);
-    std::string const goal =
-        answer.goal.empty() ? std::string() : goalText(level, *data, answer.goal, catalogue, english);
+    std::string const goal = answer.goal.empty()
+                                 ? std::string()
+                                 : goalText(level, *ready.built.world, answer.goal, catalogue, english);
     if (json != nullptr) {
         nlohmann::ordered_json const made = toJson(answer, askedIn(arguments, answer), goal, language);
         json->stream() << escapedJson(

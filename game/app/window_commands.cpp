@@ -1,16 +1,16 @@
 // trembler play and trembler screenshot: the commands that draw.
 #include "game/app/commands.hpp"
 #include "game/app/mods/mods.hpp"
-#include "game/app/options/file_rules.hpp"
-#include "game/app/options/number_options.hpp"
-#include "game/app/options/outputs.hpp"
-#include "game/app/options/picture_size.hpp"
-#include "game/app/options/solution_option.hpp"
+#include "game/app/options/files/file_rules.hpp"
+#include "game/app/options/files/outputs.hpp"
+#include "game/app/options/run/solution_option.hpp"
+#include "game/app/options/values/number_options.hpp"
+#include "game/app/options/values/picture_size.hpp"
 #include "game/app/progress.hpp"
 #include "runtime/level/json/limits.hpp"
 
 #ifndef TREMBLER_HEADLESS
-#include "game/app/options/inputs.hpp"
+#include "game/app/options/files/inputs.hpp"
 #include "game/ui/app/play.hpp"
 #include "game/ui/headless/screenshot.hpp"
 #include "render/gl/png.hpp"
@@ -105,16 +105,14 @@ int takeScreenshot(ScreenshotArguments const& arguments) {
     auto const data = gameDataFor(arguments.level, arguments.mods);
     GameData const& gameData = *data;
     ui::ScreenshotOptions options;
-    options.level = arguments.level;
     options.frame = arguments.frame;
     PictureSize const size = *pictureSizeFrom(arguments.size); // checked with the other options
     options.size = {size.width, size.height};
-    options.solution = arguments.solution;
     options.picture.overlays.electricity = arguments.electricity;
     options.picture.overlays.forces = arguments.forces;
     options.picture.overlays.contacts = arguments.contacts;
     options.picture.card = !arguments.bare;
-    checkSolutionStated(gameData, arguments.level, arguments.solution);
+    auto const session = sessionStated(gameData, arguments.level, arguments.solution);
     Outputs outputs;
     readsAll(outputs, gameData);
     outputs.reads(arguments.level);
@@ -127,7 +125,7 @@ int takeScreenshot(ScreenshotArguments const& arguments) {
     Progress progress;
     options.progress = [&](std::uint64_t done) { progress.frames(done, arguments.frame); };
     options.picture.step = [&](std::string const& what) { progress.say(what); };
-    render::Image const image = ui::screenshot(gameData, options);
+    render::Image const image = ui::screenshot(*session, options);
     progress.say("writing the picture");
     render::writePng(image, *file);
     progress.clear();

@@ -35,14 +35,22 @@ double secondsStated(nlohmann::json const& goals) {
 LevelUnderTest::LevelUnderTest(GameData const& data, std::filesystem::path const& file)
     : LevelUnderTest(data, loadPlayable(data.registry, data.parts, file), data.shortName(file)) {}
 
+LevelUnderTest::LevelUnderTest(GameData const& data, ReadyLevel ready, std::string name)
+    : LevelUnderTest(data, std::move(ready.level), std::move(ready.built.world), std::move(name)) {}
+
 LevelUnderTest::LevelUnderTest(GameData const& data, LevelFile level, std::string name)
+    : LevelUnderTest(data, std::move(level), nullptr, std::move(name)) {}
+
+/// `world` is that of the level, or nullptr: it is built.
+LevelUnderTest::LevelUnderTest(GameData const& data, LevelFile level, std::unique_ptr<World> world,
+                               std::string name)
     : data_(data), task_(level.demonstration && !level.task.is_null()),
       level_(asPlayed(std::move(level), "")), name_(std::move(name)) {
     if (level_.goals.is_null()) {
         throw std::invalid_argument(fmt::format("{}: the level has no goals, so nothing solves it", name_));
     }
     identity_ = identityOf(level_);
-    world_ = buildWorld(data.registry, level_, data.parts);
+    world_ = world != nullptr ? std::move(world) : buildWorld(data.registry, level_, data.parts);
     holdingFrames_ = static_cast<std::uint64_t>(std::ceil(60 * secondsStated(level_.goals)));
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "puzzle/data/game_data.hpp"
+#include "puzzle/session/ready_level.hpp"
 #include "runtime/level/model/level.hpp"
 #include "runtime/world/world.hpp"
 
@@ -38,6 +39,9 @@ public:
     [[nodiscard]] std::uint64_t holdingFrames() const { return holdingFrames_; }
 
 private:
+    LevelUnderTest(GameData const& data, ReadyLevel ready, std::string name);
+    LevelUnderTest(GameData const& data, LevelFile level, std::unique_ptr<World> world, std::string name);
+
     GameData const& data_;
     bool task_;
     LevelFile level_;

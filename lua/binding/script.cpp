@@ -103,6 +103,16 @@ private:
     std::vector<std::string> refused_; // names of properties that a message was made for
 };
 
+std::vector<PropertyInfo const*> infosOf(Script const& script, std::vector<std::size_t> const& reads) {
+    std::vector<PropertyInfo const*> all;
+    for (std::size_t const read : reads) {
+        if (std::find(all.begin(), all.end(), script.reads[read].info) == all.end()) {
+            all.push_back(script.reads[read].info);
+        }
+    }
+    return all;
+}
+
 std::unique_ptr<ComponentInfo> infoOf(Script const& script) {
     auto made = std::make_unique<ComponentInfo>(
         ComponentInfo{.type = typeid(ScriptedInteraction),
@@ -129,6 +139,12 @@ std::unique_ptr<ComponentInfo> infoOf(Script const& script) {
     }
     if (script.manifest.attached) {
         made->neededAll.push_back(&propertyInfo<Scripts>());
+    }
+    if (script.manifest.application == Application::pairs) {
+        made->pairs = {.first = infosOf(script, script.first), .second = infosOf(script, script.second)};
+        if (script.manifest.attached) { // the first names the script
+            made->pairs->first.push_back(&propertyInfo<Scripts>());
+        }
     }
     made->hashesMemory = true;
     return made;

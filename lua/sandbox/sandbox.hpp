@@ -133,7 +133,8 @@ private:
     static constexpr double unlimited = 1e300; // instructions, outside of turns
     /// "wind.lua:12: ", where the script is; empty if it is not known. Needs no memory of the state.
     [[nodiscard]] static std::string placeOf(lua_State* L);
-    /// The calls of the script's functions that are under way, a line each, innermost first.
+    /// The calls of the script's functions that are under way, a line each, innermost first; one line for
+    /// calls of one place that follow one another. Needs no memory of the state.
     [[nodiscard]] static std::string callsOf(lua_State* L);
     /// Called where memory is refused: notes the place.
     void noteRefusal();
@@ -195,6 +196,7 @@ private:
     lua_State* running_ = nullptr; // of an untrusted script: its thread
     std::string refusedAt_;        // where memory was refused
     bool refusedDeep_ = false;     // with very many calls under way
+    std::string refusedCalls_;     // the innermost of these
     ScriptError error_;            // of the run under way: filled by its message handler
 };
 

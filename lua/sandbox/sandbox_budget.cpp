@@ -15,6 +15,10 @@ namespace {
 // Raising an error takes as long as this many instructions.
 constexpr double chargePerError = 400;
 
+/// More calls than this are endless recursion, of which the innermost ones say enough. Of finding them the
+/// time grows with the square of their number.
+constexpr int deepCalls = 100;
+
 } // namespace
 
 double Sandbox::left(lua_State* L) const {
@@ -102,10 +106,10 @@ void Sandbox::checkArguments(lua_State* L, std::string_view function) {
 
 void Sandbox::noteRefusal() {
     if (running_ != nullptr && counting_ && refusedAt_.empty()) {
-        constexpr int deep = 100;
         lua_Debug at{};
-        refusedDeep_ = lua_getstack(running_, deep, &at) != 0;
+        refusedDeep_ = lua_getstack(running_, deepCalls, &at) != 0;
         refusedAt_ = placeOf(running_);
+        refusedCalls_ = refusedDeep_ ? callsOf(running_) : std::string();
     }
 }
 
@@ -114,19 +118,29 @@ void Sandbox::noteRefusal() {
 std::string Sandbox::callsOf(lua_State* L) {
     constexpr std::size_t mostLines = 12;
     std::string all;
+    std::string last;
     std::size_t lines = 0;
     lua_Debug at{};
     for (int level = 0; lua_getstack(L, level, &at) != 0; ++level) {
+        if (level > deepCalls) {
+            return all + "...\n";
+        }
         lua_getinfo(L, "Sl", &at);
         if (at.source[0] != '@' || at.currentline <= 0) {
+            continue;
+        }
+        std::string line = fmt::format("{}:{}", at.short_src, at.currentline);
+        if (at.linedefined > 1) {
+            line += fmt::format(", in the function of line {}", at.linedefined);
+        }
+        if (line == last) {
             continue;
         }
         if (++lines > mostLines) {
             return all + "...\n";
         }
-        std::string const place = fmt::format("{}:{}", at.short_src, at.currentline);
-        all += at.linedefined <= 1 ? place + "\n"
-                                   : fmt::format("{}, in the function of line {}\n", place, at.linedefined);
+        all += line + "\n";
+        last = std::move(line);
     }
     return all;
 }

@@ -95,7 +95,6 @@ void Sandbox::finishTurn(std::optional<ScriptError>& failed) {
         if (!stopped_.empty() && failed->message.find(stopped_) == std::string::npos) {
             failed->message = stopped_; // the script has replaced the error
         } else if (stopped_.empty()) {
-            failed->traceback.clear(); // of where a script caught it and was stopped again
             failed->message =
                 refusedDeep_
                     ? fmt::format("{}{}", refusedAt_, tooDeep)
@@ -107,6 +106,7 @@ void Sandbox::finishTurn(std::optional<ScriptError>& failed) {
     stopped_.clear();
     refusedAt_.clear();
     refusedDeep_ = false;
+    refusedCalls_.clear();
     memory_.beginTurn(static_cast<std::size_t>(-1));
     memory_.setCap(mostMemory());
 }
@@ -132,6 +132,7 @@ std::optional<ScriptError> Sandbox::run(lua_State* L, Body const& body) {
         failed = std::move(error_);
         if (failed->message.empty()) {
             failed->message = status == LUA_ERRMEM ? "not enough memory" : textAt(L, -1);
+            failed->traceback = std::exchange(refusedCalls_, {});
         }
     }
     lua_settop(L, top);

@@ -5,37 +5,29 @@
 #include "puzzle/goals/read_goals.hpp"
 #include "runtime/level/read/read_level.hpp"
 
+#include <utility>
+
 namespace trembler {
-namespace {
 
-LevelFile withDetail(LevelFile level, std::map<std::string, std::string> const& detail) {
-    for (auto const& [effect, name] : detail) {
-        level.detail[effect] = name;
-    }
-    return level;
-}
-
-} // namespace
-
-BuiltLevel checkPlayable(Registry const& registry, PartLibrary const& parts, LevelFile const& level) {
-    BuiltLevel built = buildLevel(registry, level, parts);
+BuiltLevel checkPlayable(Registry const& registry, PartLibrary const& parts, LevelFile const& level,
+                         WorldOptions options) {
+    BuiltLevel built = buildLevel(registry, level, parts, {}, std::move(options));
     GoalJudge const goals(level, *built.world);
     GoalJudge const task(level, *built.world, readTask(level));
     return built;
 }
 
-LevelFile loadPlayable(Registry const& registry, PartLibrary const& parts, std::filesystem::path const& file,
-                       std::map<std::string, std::string> const& detail) {
+ReadyLevel loadPlayable(Registry const& registry, PartLibrary const& parts, std::filesystem::path const& file,
+                        WorldOptions options) {
     LevelFile level = loadLevel(registry, file);
-    (void)checkPlayable(registry, parts, withDetail(level, detail));
-    return level;
+    BuiltLevel built = checkPlayable(registry, parts, level, options);
+    return {.level = std::move(level), .options = std::move(options), .built = std::move(built)};
 }
 
-std::vector<std::string> doubtsAbout(Registry const& registry, PartLibrary const& parts,
-                                     LevelFile const& level,
-                                     std::map<std::string, std::string> const& detail) {
+std::vector<std::string> doubtsAbout(PartLibrary const& parts, LevelFile const& level,
+                                     BuiltLevel const& built) {
     Problems problems;
-    complainAboutMatter(parts, level, checkPlayable(registry, parts, withDetail(level, detail)), problems);
+    complainAboutMatter(parts, level, built, problems);
     std::vector<std::string> doubts;
     try {
         problems.throwIfAny();

@@ -3,13 +3,11 @@
 // words.
 #pragma once
 
-#include "runtime/level/build/build_world.hpp"
-#include "runtime/level/model/level.hpp"
+#include "puzzle/session/ready_level.hpp"
 #include "runtime/level/model/part_library.hpp"
 #include "runtime/world/registry.hpp"
 
 #include <filesystem>
-#include <map>
 #include <string>
 #include <vector>
 
@@ -18,18 +16,16 @@ namespace trembler {
 /// Builds the world of a level and sets up its goals and, if it has one, its task, whether they are asked for
 /// or not. Throws InputError, with the places in the file, if any of it is wrong.
 [[nodiscard]] BuiltLevel checkPlayable(Registry const& registry, PartLibrary const& parts,
-                                       LevelFile const& level);
+                                       LevelFile const& level, WorldOptions options = {});
 
-/// The level of a file. Throws InputError if it cannot be read or checkPlayable() refuses it. `detail`
-/// overrides the detail levels that the level states.
-[[nodiscard]] LevelFile loadPlayable(Registry const& registry, PartLibrary const& parts,
-                                     std::filesystem::path const& file,
-                                     std::map<std::string, std::string> const& detail = {});
+/// The level of a file, with the world that checkPlayable() has built: a session takes it over, so that
+/// nothing is built twice. Throws InputError if the file cannot be read or checkPlayable() refuses the level.
+[[nodiscard]] ReadyLevel loadPlayable(Registry const& registry, PartLibrary const& parts,
+                                      std::filesystem::path const& file, WorldOptions options = {});
 
 /// What the author should know about a level that can be played all the same, for the commands that do not
-/// verify it; one line each. See complainAboutMatter(). Throws InputError like checkPlayable().
-[[nodiscard]] std::vector<std::string> doubtsAbout(Registry const& registry, PartLibrary const& parts,
-                                                   LevelFile const& level,
-                                                   std::map<std::string, std::string> const& detail = {});
+/// verify it; one line each. `built` is what checkPlayable() has made. See complainAboutMatter().
+[[nodiscard]] std::vector<std::string> doubtsAbout(PartLibrary const& parts, LevelFile const& level,
+                                                   BuiltLevel const& built);
 
 } // namespace trembler

@@ -70,6 +70,19 @@ std::optional<std::vector<std::string>> fitted(std::string_view text,
     return arguments;
 }
 
+/// The length of "wind.lua:12: ", a place before a message; 0 if there is none.
+std::size_t placeIn(std::string_view text) {
+    std::size_t const end = text.find(": ");
+    if (end == std::string_view::npos) {
+        return 0;
+    }
+    std::size_t const colon = text.substr(0, end).rfind(':');
+    std::string_view const line =
+        colon == std::string_view::npos ? std::string_view() : text.substr(colon + 1, end - colon - 1);
+    bool const isLine = !line.empty() && line.find_first_not_of("0123456789") == std::string_view::npos;
+    return isLine ? end + 2 : 0;
+}
+
 } // namespace
 
 Catalogue::Pieces Catalogue::piecesOf(std::string_view text) {
@@ -139,6 +152,9 @@ std::string Catalogue::translated(std::string const& english) const {
     constexpr std::size_t longest = 2000; // no sentence of ours; a traceback may be
     if (english.size() > longest) {
         return english;
+    }
+    if (std::size_t const place = placeIn(english); place > 0) {
+        return english.substr(0, place) + translated(english.substr(place));
     }
     for (Template const& one : templates_) {
         if (auto const arguments = fitted(english, one.english.between)) {

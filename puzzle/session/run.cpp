@@ -27,8 +27,10 @@ RecordedInput recorded(PlayerInput const& input, World const& world) {
 LevelRun::LevelRun(Registry const& registry, PartLibrary const& parts, LevelFile const& level,
                    std::span<Placement const> placements, WorldOptions const& options,
                    std::span<LevelConnection const> wires)
-    : registry_(registry), level_(level),
-      built_(buildLevel(registry, level, parts, placements, options, wires)), judge_(level, *built_.world) {}
+    : LevelRun(registry, level, buildLevel(registry, level, parts, placements, options, wires)) {}
+
+LevelRun::LevelRun(Registry const& registry, LevelFile const& level, BuiltLevel built)
+    : registry_(registry), level_(level), built_(std::move(built)), judge_(level, *built_.world) {}
 
 std::optional<std::size_t> LevelRun::placementOf(ObjectId object) const {
     Origin const origin = world().store().originOf(object);

@@ -23,6 +23,8 @@ public:
     LevelRun(Registry const& registry, PartLibrary const& parts, LevelFile const& level,
              std::span<Placement const> placements, WorldOptions const& options,
              std::span<LevelConnection const> wires = {});
+    /// The same with a world that is built already. `registry` and `level` must outlive the run.
+    LevelRun(Registry const& registry, LevelFile const& level, BuiltLevel built);
 
     [[nodiscard]] World const& world() const { return *built_.world; }
     [[nodiscard]] GoalJudge const& judge() const { return judge_; }

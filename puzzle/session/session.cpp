@@ -14,6 +14,11 @@ Session::Session(Registry const& registry, PartLibrary const& parts, LevelFile l
     : registry_(registry), parts_(parts), level_(std::move(level)), options_(std::move(options)),
       placements_(level_, parts_), run_(runOf({}, {})) {}
 
+Session::Session(Registry const& registry, PartLibrary const& parts, ReadyLevel ready)
+    : registry_(registry), parts_(parts), level_(std::move(ready.level)), options_(std::move(ready.options)),
+      placements_(level_, parts_),
+      run_(std::make_unique<LevelRun>(registry_, level_, std::move(ready.built))) {}
+
 std::unique_ptr<LevelRun> Session::runOf(Placements::List const& placed,
                                          std::vector<LaidWire> const& wires) const {
     return std::make_unique<LevelRun>(registry_, parts_, level_, placementsOf(placed), options_,

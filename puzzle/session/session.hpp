@@ -4,6 +4,7 @@
 #include "puzzle/session/lasting_object.hpp"
 #include "puzzle/session/placements.hpp"
 #include "puzzle/session/playback.hpp"
+#include "puzzle/session/ready_level.hpp"
 #include "puzzle/session/run.hpp"
 #include "puzzle/session/wiring.hpp"
 
@@ -31,6 +32,8 @@ class Session {
 public:
     /// `registry` and `parts` must outlive the session. Throws InputError if the level cannot be built.
     Session(Registry const& registry, PartLibrary const& parts, LevelFile level, WorldOptions options = {});
+    /// The same of a level whose world is built already, which becomes that of the first run.
+    Session(Registry const& registry, PartLibrary const& parts, ReadyLevel ready);
     Session(Session const&) = delete;
     Session& operator=(Session const&) = delete;
 

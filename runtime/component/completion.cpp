@@ -25,7 +25,7 @@ PropertyInfo const* needed(CompletionInfo const& first, CompletionInfo const& se
 }
 
 void refuseRivals(CompletionInfo const& a, CompletionInfo const& b) {
-    if (title(a) == title(b)) {
+    if (a.text.name == b.text.name) {
         throw RuleBroken(fmt::format("two completions are called {}", title(a)));
     }
     for (PropertyInfo const* property : a.adds) {

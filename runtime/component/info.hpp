@@ -31,6 +31,12 @@ struct CallInfo {
     Algebra algebra;
 };
 
+/// The properties of the two objects of a pair.
+struct PairRoles {
+    std::vector<PropertyInfo const*> first;
+    std::vector<PropertyInfo const*> second;
+};
+
 /// One component type, as registered.
 struct ComponentInfo {
     std::type_index type;
@@ -48,6 +54,9 @@ struct ComponentInfo {
     std::vector<CallInfo> calls{};      ///< of a resolver: its interaction functions
     std::vector<PropertyInfo const*> neededAll{};
     std::vector<PropertyInfo const*> neededAny{};
+    /// Of an interaction that is applied to pairs of objects. neededAll has the properties of both, as it is
+    /// constructed if there are objects with each of them, though none may have them all.
+    std::optional<PairRoles> pairs{};
     bool onDemand = false;            ///< constructed only while a property that it offers is read
     std::optional<Coverage> memory{}; ///< how the state hash covers its data members, if any
     bool hashesMemory = false; ///< it hashes its data members, or the members that `memory` leaves open

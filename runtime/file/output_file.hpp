@@ -4,7 +4,7 @@
 //     file.stream() << ...;
 //     file.commit();                          // throws if any of it was not written; puts it in place
 //
-// Commands use it through game/app/options/outputs.hpp, which also refuses to overwrite their inputs.
+// Commands use it through game/app/options/files/outputs.hpp, which also refuses to overwrite their inputs.
 #pragma once
 
 #include <filesystem>

@@ -13,6 +13,10 @@ std::string objectsWith(std::vector<PropertyInfo const*> const& all,
                        : "objects with any of " + propertySet(any);
 }
 
+std::string withAll(std::vector<PropertyInfo const*> const& properties) {
+    return properties.empty() ? std::string("every object") : objectsWith(properties, {});
+}
+
 bool sameSet(std::vector<PropertyInfo const*> a, std::vector<PropertyInfo const*> b) {
     std::sort(a.begin(), a.end());
     std::sort(b.begin(), b.end());
@@ -70,6 +74,9 @@ std::string propertySet(std::vector<PropertyInfo const*> const& properties) {
 }
 
 std::string activation(ComponentInfo const& info) {
+    if (info.pairs) {
+        return fmt::format("pairs of {} and {}", withAll(info.pairs->first), withAll(info.pairs->second));
+    }
     std::string const demand = info.onDemand ? ", while the properties that it offers are read" : "";
     bool const always = info.neededAll.empty() && info.neededAny.empty();
     return (always ? "every scene" : objectsWith(info.neededAll, info.neededAny)) + demand;
@@ -120,7 +127,12 @@ NotationBox boxOf(Registry const& registry, ComponentInfo const& info) {
     if (!info.text.level.empty()) {
         box.rows.push_back({"Detail level", fmt::format("{} = {}", info.text.effect, info.text.level)});
     }
-    box.rows.push_back({"Activated by", activation(info)});
+    if (info.pairs) {
+        box.rows.push_back({"Pairs of", withAll(info.pairs->first)});
+        box.rows.push_back({"and of", withAll(info.pairs->second)});
+    } else {
+        box.rows.push_back({"Activated by", activation(info)});
+    }
     return box;
 }
 

@@ -20,6 +20,11 @@ std::set<std::string_view> keys(std::vector<PropertyInfo const*> const& list) {
     return all;
 }
 
+bool hasKey(std::vector<PropertyInfo const*> const& list, std::string_view key) {
+    return std::any_of(list.begin(), list.end(),
+                       [&](PropertyInfo const* info) { return info->text.key == key; });
+}
+
 void checkShortcut(Registry const& registry, Shortcut const& shortcut) {
     ComponentInfo const* interaction = nullptr;
     ComponentInfo const* dps = nullptr;
@@ -103,7 +108,10 @@ bool areAlternatives(ComponentInfo const& a, ComponentInfo const& b) {
     if (a.kind == ComponentKind::resolver) {
         return a.role == b.role;
     }
-    return a.kind == ComponentKind::dps && keys(a.offers) == keys(b.offers);
+    // Most are told apart by their first offer; every pair of components is compared.
+    return a.kind == ComponentKind::dps &&
+           (a.offers.empty() || hasKey(b.offers, a.offers.front()->text.key)) &&
+           keys(a.offers) == keys(b.offers);
 }
 
 void Registry::add(Registration const& made) {
@@ -193,7 +201,7 @@ void Registry::checkAll() const {
         for (std::size_t j = i + 1; j < components_.size(); ++j) {
             ComponentInfo const& a = *components_[i].info;
             ComponentInfo const& b = *components_[j].info;
-            if (title(a) == title(b)) {
+            if (a.kind == b.kind && a.text.name == b.text.name) { // then their titles are the same, too
                 throw RuleBroken(fmt::format("two components are called {}", title(a)));
             }
             if (areAlternatives(a, b)) {
@@ -210,7 +218,7 @@ void Registry::checkAll() const {
                 refuseDoubleWriters(a, b);
             }
             for (PropertyInfo const* offer : a.offers) {
-                if (keys(b.offers).contains(offer->text.key)) {
+                if (hasKey(b.offers, offer->text.key)) {
                     throw RuleBroken(fmt::format("the {} and the {} both offer {}, but not the same set of "
                                                  "properties, so neither can replace the other",
                                                  title(a), title(b), offer->text.name));

@@ -76,12 +76,12 @@ Mix mixOf(Registry const& registry, PartLibrary const& parts, LevelFile const& l
     return mix;
 }
 
-RandomMixes::RandomMixes()
-    : schema_(levelSchema(levelKit().registry)), levels_(schema_, levelKit().parts.names()) {}
+RandomMixes::RandomMixes(std::uint64_t seed)
+    : schema_(levelSchema(levelKit().registry)), levels_(schema_, levelKit().parts.names()), seed_(seed) {}
 
-RandomMixes::Named RandomMixes::next(std::uint64_t frames) {
+RandomMixes::Named RandomMixes::next(std::uint64_t frames, std::function<bool(std::uint64_t)> const& wanted) {
     for (;; ++seed_) {
-        if (worlds::mannerOf(seed_).spread < 1) {
+        if ((wanted && !wanted(seed_)) || worlds::mannerOf(seed_).spread < 1) {
             continue;
         }
         // The trial removes what the reader refuses, and keeps worlds away that end the process.

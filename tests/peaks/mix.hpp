@@ -5,6 +5,7 @@
 #include "tests/worlds/random_level.hpp"
 
 #include <cstdint>
+#include <functional>
 #include <string>
 
 namespace trembler::peaks {
@@ -24,19 +25,21 @@ struct Mix {
 /// The mixes of random worlds, those of tests/worlds, one after the other.
 class RandomMixes {
 public:
-    RandomMixes();
+    /// Begins with the world of that seed.
+    explicit RandomMixes(std::uint64_t seed = 0);
     struct Named {
         std::uint64_t seed = 0;
         Mix mix;
     };
-    /// The next world that can be read, for so many frames. Leaves out those with all objects in one place,
+    /// The next world that can be read, for so many frames, of those whose seeds are `wanted`; without it, of
+    /// all. Leaves out those with all objects in one place,
     /// with whose contacts engines take long. The calling process must not have started a thread.
-    [[nodiscard]] Named next(std::uint64_t frames);
+    [[nodiscard]] Named next(std::uint64_t frames, std::function<bool(std::uint64_t)> const& wanted = {});
 
 private:
     nlohmann::json schema_;
     worlds::RandomLevels levels_;
-    std::uint64_t seed_ = 0;
+    std::uint64_t seed_;
 };
 
 /// Why the mix is not acceptable: a true peak above -1 dB of full scale, or a step above half of it. Empty if

@@ -2,8 +2,8 @@
 #include "game/app/commands.hpp"
 #include "game/app/mods/mod_reference_command.hpp"
 #include "game/app/mods/mods.hpp"
-#include "game/app/options/file_rules.hpp"
-#include "game/app/options/outputs.hpp"
+#include "game/app/options/files/file_rules.hpp"
+#include "game/app/options/files/outputs.hpp"
 #include "lua/component/never_applied.hpp"
 #include "lua/mods/lint.hpp"
 #include "lua/mods/mod_name.hpp"
@@ -11,6 +11,7 @@
 #include "runtime/file/visible_text.hpp"
 #include "runtime/level/json/suggestion.hpp"
 #include "runtime/level/read/read_level.hpp"
+#include "runtime/notation/boxes.hpp"
 
 #include <fmt/format.h>
 
@@ -104,6 +105,18 @@ std::size_t printLint(lua::Mod const& mod, std::size_t levels) {
     return count;
 }
 
+/// Prints what each script of the mod is applied to.
+void printTargets(GameData const& gameData, lua::Mod const& mod) {
+    for (auto const& live : gameData.scripts->all()) {
+        if (live->mod() == mod.name) {
+            bool const once = live->script().manifest.application == lua::Application::once;
+            std::cout << visible(fmt::format("    ({}) is applied {}", live->name(),
+                                             once ? "once, to the world" : "to " + activation(live->info())))
+                      << "\n";
+        }
+    }
+}
+
 /// Adds why a script is not applied in a level: of the level as it begins, and with each recorded solution,
 /// the reason that comes nearest. Nothing for a level that cannot be built, which verifying it has reported.
 void addWhyNeverApplied(std::vector<std::pair<std::string, std::string>>& reasons, GameData const& gameData,
@@ -192,6 +205,7 @@ int checkMod(ModArguments const& arguments) {
         std::vector<fs::path> const found = levelsOf(part);
         levels.insert(levels.end(), found.begin(), found.end());
     }
+    printTargets(gameData, *mod);
     std::size_t warnings = printLint(*mod, levels.size());
     bool good = true;
     for (fs::path const& level : levels) {

@@ -2,8 +2,8 @@
 #include "game/app/mods/mod_reference_command.hpp"
 
 #include "game/app/commands.hpp"
-#include "game/app/options/file_rules.hpp"
-#include "game/app/options/outputs.hpp"
+#include "game/app/options/files/file_rules.hpp"
+#include "game/app/options/files/outputs.hpp"
 #include "lua/reference/annotations.hpp"
 #include "lua/reference/page.hpp"
 #include "puzzle/data/effects.hpp"

@@ -1,6 +1,6 @@
 #include "game/app/mods/mods.hpp"
 
-#include "game/app/options/file_rules.hpp"
+#include "game/app/options/files/file_rules.hpp"
 #include "lua/attach/register.hpp"
 #include "lua/interaction/allowed_limits.hpp"
 #include "lua/mods/trust.hpp"

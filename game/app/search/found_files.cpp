@@ -6,6 +6,7 @@
 #include "runtime/level/write/write_level.hpp"
 
 #ifndef TREMBLER_HEADLESS
+#include "game/app/options/run/solution_option.hpp"
 #include "game/ui/headless/screenshot.hpp"
 #include "render/gl/png.hpp"
 #endif
@@ -22,12 +23,11 @@ namespace fs = std::filesystem;
 void drawFound(GameData const& data, fs::path const& level, insight::FoundSolution const& found,
                KeptFiles const& files) {
     ui::ScreenshotOptions options;
-    options.level = level;
     options.frame = found.needs.leastFrame;
     options.size = {960, 540};
-    options.solution = files.solution.string();
+    auto const session = sessionStated(data, level, files.solution.string());
     OutputFile file(files.picture, OutputFile::Content::binary);
-    render::writePng(ui::screenshot(data, options), file);
+    render::writePng(ui::screenshot(*session, options), file);
     file.commit();
 }
 #endif

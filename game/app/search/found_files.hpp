@@ -2,7 +2,7 @@
 // picture.
 #pragma once
 
-#include "game/app/options/outputs.hpp"
+#include "game/app/options/files/outputs.hpp"
 #include "insight/search/search.hpp"
 
 #include <filesystem>

@@ -1,7 +1,7 @@
 // The arguments of `trembler solve`.
 #pragma once
 
-#include "game/app/options/outputs.hpp"
+#include "game/app/options/files/outputs.hpp"
 #include "game/app/search/worker_options.hpp"
 
 #include <cstdint>

@@ -1,10 +1,10 @@
 // trembler solve: searches for solutions of levels.
 #include "game/app/commands.hpp"
 #include "game/app/mods/mods.hpp"
-#include "game/app/options/file_rules.hpp"
-#include "game/app/options/inputs.hpp"
-#include "game/app/options/level_paths.hpp"
-#include "game/app/options/number_options.hpp"
+#include "game/app/options/files/file_rules.hpp"
+#include "game/app/options/files/inputs.hpp"
+#include "game/app/options/files/level_paths.hpp"
+#include "game/app/options/values/number_options.hpp"
 #include "game/app/search/solve_table.hpp"
 #include "runtime/file/visible_text.hpp"
 

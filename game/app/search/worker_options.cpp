@@ -1,6 +1,6 @@
 #include "game/app/search/worker_options.hpp"
 
-#include "game/app/options/number_options.hpp"
+#include "game/app/options/values/number_options.hpp"
 #include "insight/spread/mpi_team.hpp"
 
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 // The options of commands that run levels many times: threads, processes, going on with earlier work.
 #pragma once
 
-#include "game/app/options/outputs.hpp"
+#include "game/app/options/files/outputs.hpp"
 #include "game/app/progress.hpp"
 #include "game/app/search/stop_signal.hpp"
 #include "insight/spread/workers.hpp"

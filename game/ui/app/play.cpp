@@ -74,10 +74,10 @@ std::optional<std::uint64_t> playOut(Session& session, std::uint64_t frames, std
     return solved;
 }
 
-void writePicture(GameData const& gameData, Session const& session, fs::path const& file, std::ostream& out) {
+void writePicture(Session const& session, fs::path const& file, std::ostream& out) {
     try {
         render::Window window({.size = {1280, 720}, .mode = render::WindowMode::Offscreen});
-        writePng(pictureOf(window, gameData, session), file);
+        writePng(pictureOf(window, session), file);
         std::error_code ignored;
         fs::path const where = fs::absolute(file, ignored);
         out << "A picture of the last frame is in " << where.string() << ".\n";
@@ -92,9 +92,8 @@ void writePicture(GameData const& gameData, Session const& session, fs::path con
 
 int playWithoutDisplay(GameData const& gameData, PlayOptions const& options, std::ostream& out) {
     fs::path const file = options.level.empty() ? firstLevel(gameData) : options.level;
-    WorldOptions world = options.world;
-    Session session(gameData.registry, gameData.parts, loadPlayable(gameData.registry, gameData.parts, file),
-                    world);
+    Session session(gameData.registry, gameData.parts,
+                    loadPlayable(gameData.registry, gameData.parts, file, options.world));
     LevelFile const& level = session.level();
     out << fmt::format("Playing \"{}\" ({})", level.title, gameData.shortName(file));
     std::uint64_t frames = usualFrames;
@@ -124,7 +123,7 @@ int playWithoutDisplay(GameData const& gameData, PlayOptions const& options, std
                                  ? options.pictures / ("trembler-" + file.stem().string() + ".png")
                                  : options.picture;
     makeFolder(options.pictures);
-    writePicture(gameData, session, picture, out);
+    writePicture(session, picture, out);
     return solved ? 0 : 1;
 }
 

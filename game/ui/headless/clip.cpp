@@ -4,8 +4,6 @@
 #include "game/ui/play/view/sound_view.hpp"
 #include "game/ui/play/view/spark_view.hpp"
 #include "physics/dynamics/properties/contacts.hpp"
-#include "puzzle/checks/checked_level.hpp"
-#include "puzzle/solutions/solution_file.hpp"
 #include "render/gl/webp.hpp"
 
 #include <cmath>
@@ -21,13 +19,8 @@ std::uint64_t framesIn(double seconds) {
 
 } // namespace
 
-void writeClip(GameData const& gameData, ClipOptions const& options, OutputFile& file) {
+void writeClip(Session& session, ClipOptions const& options, OutputFile& file) {
     render::AnimatedWebp clip(options.size); // refuses a size before any work
-    Session session(gameData.registry, gameData.parts,
-                    loadPlayable(gameData.registry, gameData.parts, options.level));
-    if (!options.solution.empty()) {
-        session.load(findOrLoadSolution(gameData.registry, session.level(), options.solution));
-    }
     SoundView sounds;
     SparkView sparks;
     std::uint64_t const before = framesIn(options.from);

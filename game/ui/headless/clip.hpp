@@ -1,21 +1,17 @@
 // Moving pictures of runs without a player: `trembler clip`.
 #pragma once
 
-#include "puzzle/data/game_data.hpp"
+#include "puzzle/session/session.hpp"
 #include "render/scene/scene_view.hpp"
 #include "render/window/window.hpp"
 #include "runtime/file/output_file.hpp"
 
 #include <cstdint>
-#include <filesystem>
 #include <functional>
-#include <string>
 
 namespace trembler::ui {
 
 struct ClipOptions {
-    std::filesystem::path level;
-    std::string solution;        ///< by name or from a file; empty: the level as it begins
     render::Size size{960, 540}; ///< pixels
     double from = 0;             ///< s of the world before the first picture
     double seconds = 8;          ///< s of the world that are shown, at its real speed
@@ -26,9 +22,9 @@ struct ClipOptions {
     std::function<void(std::uint64_t, std::uint64_t)> progress;
 };
 
-/// Runs the level and writes an animated WebP without any interface; the whole scene is in view as it is at
-/// `from`. The caller commits the file. Throws InputError or std::invalid_argument for bad input,
-/// render::RenderError if it cannot be drawn or compressed, OutputError as soon as writing fails.
-void writeClip(GameData const& gameData, ClipOptions const& options, OutputFile& file);
+/// Runs the session and writes an animated WebP without any interface; the whole scene is in view as it is at
+/// `from`. The caller commits the file. Throws render::RenderError if it cannot be drawn or compressed,
+/// OutputError as soon as writing fails.
+void writeClip(Session& session, ClipOptions const& options, OutputFile& file);
 
 } // namespace trembler::ui

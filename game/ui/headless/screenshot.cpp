@@ -6,8 +6,6 @@
 #include "game/ui/play/view/sound_view.hpp"
 #include "game/ui/shared/camera_control.hpp"
 #include "game/ui/shared/scene_words.hpp"
-#include "puzzle/checks/checked_level.hpp"
-#include "puzzle/solutions/solution_file.hpp"
 #include "render/draw/palette.hpp"
 #include "render/panels/gui.hpp"
 
@@ -19,7 +17,7 @@ namespace trembler::ui {
 
 using namespace render;
 
-Image pictureOf(Window& window, GameData const&, Session const& session, PictureOptions const& options) {
+Image pictureOf(Window& window, Session const& session, PictureOptions const& options) {
     Gui gui(window, {.steady = true});
     InputEvents const input(window); // there are no events
     Canvas canvas;
@@ -69,14 +67,7 @@ Image pictureOf(Window& window, GameData const&, Session const& session, Picture
     return image;
 }
 
-Image screenshot(GameData const& gameData, ScreenshotOptions const& options) {
-    Session session(gameData.registry, gameData.parts,
-                    loadPlayable(gameData.registry, gameData.parts, options.level), options.world);
-    if (!options.solution.empty()) {
-        session.load(findOrLoadSolution(gameData.registry, session.level(), options.solution));
-    } else if (options.firstSolution && !session.level().solutions.empty()) {
-        session.load(session.level().solutions.front());
-    }
+Image screenshot(Session& session, ScreenshotOptions const& options) {
     SoundView sounds;
     for (std::uint64_t done = 0; done < options.frame; ++done) {
         sounds.beforeStep(session.world());
@@ -89,7 +80,7 @@ Image screenshot(GameData const& gameData, ScreenshotOptions const& options) {
     Window window({.size = options.size, .mode = WindowMode::Offscreen});
     PictureOptions picture = options.picture;
     picture.ripples = sounds.ripples();
-    return pictureOf(window, gameData, session, picture);
+    return pictureOf(window, session, picture);
 }
 
 } // namespace trembler::ui

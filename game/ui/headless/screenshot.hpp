@@ -1,12 +1,11 @@
 // Pictures of levels without a player: `trembler screenshot`, and the program without a display.
 #pragma once
 
-#include "puzzle/data/game_data.hpp"
 #include "puzzle/session/session.hpp"
 #include "render/scene/scene_view.hpp"
 #include "render/window/window.hpp"
 
-#include <filesystem>
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
@@ -26,23 +25,19 @@ struct PictureOptions {
 
 /// Draws the session's world in its current state, showing all of it, into the window and reads the image
 /// back. Throws render::RenderError.
-[[nodiscard]] render::Image pictureOf(render::Window& window, GameData const& gameData,
-                                      Session const& session, PictureOptions const& options = {});
+[[nodiscard]] render::Image pictureOf(render::Window& window, Session const& session,
+                                      PictureOptions const& options = {});
 
 struct ScreenshotOptions {
-    std::filesystem::path level;
     std::uint64_t frame = 0;      ///< frames to simulate; 0: the initial state
     render::Size size{1280, 720}; ///< pixels
-    std::string solution;         ///< by name or from a file; empty: none
-    bool firstSolution = false;   ///< place the level's first recorded solution, if it has any
     PictureOptions picture{};     ///< its ripples are replaced by those of the run
-    WorldOptions world{};
     /// Progress callback, called after each frame with the number of frames done; may be empty.
     std::function<void(std::uint64_t)> progress;
 };
 
-/// Throws InputError or std::invalid_argument for bad input, render::RenderError (including WindowError) if
-/// the picture cannot be drawn.
-[[nodiscard]] render::Image screenshot(GameData const& gameData, ScreenshotOptions const& options);
+/// Runs the session for the frames, and draws it. Throws render::RenderError (including WindowError) if the
+/// picture cannot be drawn.
+[[nodiscard]] render::Image screenshot(Session& session, ScreenshotOptions const& options);
 
 } // namespace trembler::ui

@@ -10,6 +10,7 @@
 #include "render/panels/theme.hpp"
 
 #include <algorithm>
+#include <sstream>
 
 namespace trembler::ui {
 namespace {
@@ -113,7 +114,10 @@ void drawTroubles(ModScript const& script) {
         warning(words::inFrame(script.failure->frame, translated(script.failure->text)));
         if (!script.failure->traceback.empty()) {
             caption(words::howItCameThere);
-            ImGui::TextWrapped("%s", script.failure->traceback.c_str());
+            std::istringstream calls(script.failure->traceback);
+            for (std::string call; std::getline(calls, call);) {
+                ImGui::TextWrapped("%s", translated(call).c_str());
+            }
         }
         ImGui::PopFont();
     }
@@ -131,7 +135,9 @@ void drawLog(Layout& layout, ModScript const& script) {
     ImGui::BeginChild("log", {0, lines * ImGui::GetTextLineHeightWithSpacing() + scaled(6)});
     bool const atEnd = ImGui::GetScrollY() >= ImGui::GetScrollMaxY();
     for (std::string const& line : script.log) {
-        ImGui::TextWrapped("%s", line.c_str());
+        // The lines are the script's own, but for the note that there were more of them.
+        bool const note = line.starts_with("... further lines of this frame");
+        ImGui::TextWrapped("%s", note ? translated(line).c_str() : line.c_str());
     }
     if (atEnd) {
         ImGui::SetScrollHereY(1);

@@ -25,6 +25,16 @@ std::string buildId(LevelCatalog const& levels, std::filesystem::path const& fil
     return entry != nullptr ? entry->id : std::filesystem::weakly_canonical(file, ignored).generic_string();
 }
 
+Session sessionAt(std::filesystem::path const& file, Registry const& registry, PartLibrary const& parts,
+                  WorldOptions const& options, LevelFile const* stated) {
+    if (stated != nullptr) {
+        return {registry, parts, *stated, options};
+    }
+    ReadyLevel ready = loadPlayable(registry, parts, file, options);
+    ready.level = asPlayed(std::move(ready.level), "");
+    return {registry, parts, std::move(ready)};
+}
+
 } // namespace
 
 PlayParts::PlayParts(UiContext& uiContext, std::filesystem::path levelFile,
@@ -33,12 +43,8 @@ PlayParts::PlayParts(UiContext& uiContext, std::filesystem::path levelFile,
     : context(uiContext), file(std::move(levelFile)), id(buildId(context.levels, file)),
       ofGallery(context.levels.inGallery(file)), data(std::move(levelData)),
       modParts(data ? std::optional<PartCatalog>(std::in_place, data->parts, context.canvas) : std::nullopt),
-      session(data ? data->registry : context.registry, data ? data->parts : context.parts,
-              stated != nullptr ? *stated
-                                : asPlayed(loadPlayable(data ? data->registry : context.registry,
-                                                        data ? data->parts : context.parts, file),
-                                           ""),
-              options),
+      session(sessionAt(file, data ? data->registry : context.registry, data ? data->parts : context.parts,
+                        options, stated)),
       placing(session, context.toasts), group(session, placing, context.toasts),
       wires(session, context.toasts), hand(session, context.toasts), secondHand(session, context.toasts, 1),
       budget(data ? data->registry : context.registry, context.stopwatch), goals(session.level()),

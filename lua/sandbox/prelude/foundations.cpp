@@ -40,6 +40,12 @@ end
 local function isVec(v) return type(v) == "table" and rawgetmetatable(v) == vectors end
 local function isOwn(v) return type(v) == "table" and rawgetmetatable(v) ~= hosts and rawgetmetatable(v) ~= vectors end
 local function isLooked(v) return type(v) == "table" and rawgetmetatable(v) ~= hosts end
+-- A place in a text or a list as whole number of 32 bits: Lua's own functions convert others differently from
+-- machine to machine.
+local function inRange(i)
+  if i >= -2147483648 and i <= 2147483647 then return i end
+  return i > 0 and 2147483647 or -2147483648
+end
 local function isCallable(v) return type(v) == "function" or type(v) == "table" end
 )lua";
     return text;

@@ -239,10 +239,10 @@ int Sandbox::Functions::handler(lua_State* L) {
     }
     text.resize(std::min(text.size(), longestString));
     sandbox.error_.message = std::move(text);
-    // Of endless recursion the calls that are under way are all alike, and where memory was refused nobody
-    // knows them.
-    bool const deep = sandbox.error_.message.find(tooDeep) != std::string::npos;
-    sandbox.error_.traceback = deep ? std::string() : callsOf(L);
+    // Of a script that has caught this error and was stopped again, the calls are no longer those.
+    bool const caught = sandbox.memory_.exhausted() ||
+                        (!sandbox.stopped_.empty() && sandbox.stopped_.find(tooDeep) != std::string::npos);
+    sandbox.error_.traceback = caught ? std::string() : callsOf(L);
     return 1;
 }
 

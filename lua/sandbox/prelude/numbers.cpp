@@ -9,7 +9,11 @@ std::string_view numbersPart() {
 
 local math = { abs = raw.math.abs, ceil = raw.math.ceil, floor = floor, sqrt = sqrt,
   huge = raw.math.huge, pi = raw.math.pi, sin = host.sin, cos = host.cos, atan2 = host.atan2, exp = host.exp,
-  log = host.log_e }
+}
+function math.log(x, base)
+  if base == nil then return host.log_e(x) end
+  return host.log_e(x) / host.log_e(base)
+end
 function math.fmod(a, b) charge(200) return raw.math.fmod(a, b) end
 function math.tan(angle) return host.sin(angle) / host.cos(angle) end
 function math.atan(x) return host.atan2(x, 1) end

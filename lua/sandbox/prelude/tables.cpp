@@ -91,7 +91,7 @@ function env.next(t, key)
   err("next: the table has no such key")
 end
 local function unpack(t, from, to)
-  from, to = from or 1, to or #t
+  from, to = inRange(from or 1), inRange(to or #t)
   if to < from then return end
   if not (to - from < 200) then err("unpack gives at most 200 values") end
   return rawunpack(t, from, to)
@@ -123,18 +123,19 @@ function table.remove(t, at)
   return value
 end
 function table.sort(t, before) sort(t, #t, before or less) end
-function table.concat(t, between)
-  between = between or ""
+function table.concat(t, between, from, to)
+  between, from, to = between or "", inRange(from or 1), inRange(to or #t)
   -- Of a list of its own: an entry may be another one when it is read again.
   local parts, long = {}, 0
-  for i = 1, #t do
+  from, to = from - from % 1, to - to % 1
+  for i = from, to do
     local part = t[i]
     local kind = type(part)
     if kind ~= "string" and kind ~= "number" then
       err("table.concat: entry " .. i .. " is " .. host.kind(part) .. "; expected a text or a number")
     end
-    parts[i] = part
-    long = long + #text(part) + (i > 1 and #between or 0)
+    parts[#parts + 1] = part
+    long = long + #text(part) + (i > from and #between or 0)
     if long > longest then err("table.concat makes at most " .. longest .. " bytes") end
   end
   return plain(tab.concat(parts, between))

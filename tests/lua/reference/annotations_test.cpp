@@ -19,6 +19,16 @@ struct Annotated {
         text = annotationText(reference);
     }
     bool has(std::string const& part) const { return text.find(part) != std::string::npos; }
+    /// Whether a field is named with something behind its name. A regular expression takes minutes with checks.
+    bool hasField(std::string const& name) const {
+        for (std::string const& written : {"---@field " + name + " ", "---@field " + name + "? "}) {
+            std::size_t const at = text.find(written);
+            if (at != std::string::npos && text.at(at + written.size()) != '\n') {
+                return true;
+            }
+        }
+        return false;
+    }
     Registry registry;
     Reference reference;
     std::string text;
@@ -47,9 +57,7 @@ TEST(Annotations, NameEveryPropertyFieldFunctionAndGlobal) {
         EXPECT_TRUE(made.has("---@field [\"" + std::string(text.key) + "\"]")) << text.key;
         EXPECT_TRUE(made.has("---| \"" + std::string(text.key) + "\"\n")) << text.key;
         for (ReferenceField const& field : property.fields) {
-            EXPECT_TRUE(std::regex_search(
-                made.text, std::regex("---@field " + std::string(field.info.key) + "\\?? [^\n]+")))
-                << field.info.key;
+            EXPECT_TRUE(made.hasField(std::string(field.info.key))) << field.info.key;
         }
     }
     for (ReferenceFunction const& function : made.reference.functions) {

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -28,8 +29,16 @@ inline std::vector<Mod> bundledMods(std::vector<std::string> const& names) {
     return mods;
 }
 
-inline std::unique_ptr<GameData const> gameWith(std::vector<std::string> const& names) {
-    return std::make_unique<GameData const>(bundledMods(names));
+/// Reading all parts takes longer than most tests, so the data of the same mods are read once in a program.
+/// What their scripts have said before is forgotten.
+inline GameData const* gameWith(std::vector<std::string> const& names) {
+    static std::map<std::vector<std::string>, std::unique_ptr<GameData const>> made;
+    auto& data = made[names];
+    if (data == nullptr) {
+        data = std::make_unique<GameData const>(bundledMods(names));
+    }
+    (void)data->scriptLog->take();
+    return data.get();
 }
 
 /// A started world of a level with those objects: entries of its lists as a level file states them.

@@ -64,8 +64,9 @@ TEST(Matter, IsNamedByProblemsVerifyAndRun) {
     json const level = levelOfOne({{"material", "water"}});
     auto const document = JsonDocument::parse(level.dump(1), "level.json");
     std::string const expected = "'thing' is a solid body, but its material is water";
-    auto const doubts = doubtsAbout(edit::editData().registry, edit::editData().parts,
-                                    readLevel(edit::editData().registry, document));
+    LevelFile const read = readLevel(edit::editData().registry, document);
+    auto const doubts = doubtsAbout(edit::editData().parts, read,
+                                    checkPlayable(edit::editData().registry, edit::editData().parts, read));
     ASSERT_EQ(doubts.size(), 1U);
     EXPECT_NE(doubts.front().find(expected), std::string::npos) << doubts.front();
     EXPECT_NE(doubts.front().find("level.json:"), std::string::npos) << doubts.front();

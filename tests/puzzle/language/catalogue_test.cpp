@@ -60,6 +60,21 @@ TEST_F(CatalogueTest, LeavesOwnNamesAndQuotedBracesAsTheyAre) {
     EXPECT_EQ(german.translated("an object of stone"), "an object of stone");
 }
 
+// Words of another sentence may be in a message, but a place is before it and no part of it.
+TEST_F(CatalogueTest, LeavesThePlaceBeforeAMessage) {
+    write("de/faults.json", R"({"{}; expected {}": "{}; erwartet: {}", "'{}' is not there; look at {}":
+        "„{own}“ fehlt; siehe {own}", "{} is {}": "{} ist {}"})");
+    Catalogue const german(folder, "de");
+    EXPECT_EQ(german.translated("wind.lua:12: it would overlap the bucket"),
+              "wind.lua:12: es läge auf dem Eimer");
+    EXPECT_EQ(german.translated("wind.lua:12: 'x' is not there; look at y"),
+              "wind.lua:12: „x“ fehlt; siehe y");
+    EXPECT_EQ(german.translated("/my levels/a.json:3:14: no bucket here"),
+              "/my levels/a.json:3:14: kein Eimer hier");
+    EXPECT_EQ(german.translated("off: no bucket here"), "aus: kein Eimer hier") << "that is no place";
+    EXPECT_EQ(german.translated("it: no bucket here"), "it - kein Eimer hier");
+}
+
 TEST_F(CatalogueTest, LeavesOutWhatIsDamaged) {
     write("de/words.json", R"({"Undo": "Rück)");
     write("de/other.json", R"({"Redo": 3, "Run": "Start"})");

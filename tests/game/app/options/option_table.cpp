@@ -1,6 +1,6 @@
 #include "tests/game/app/options/option_table.hpp"
 
-#include "game/app/options/rule.hpp"
+#include "game/app/options/rule/rule.hpp"
 #include "tests/game/app/program.hpp"
 
 #include <gtest/gtest.h>

@@ -55,8 +55,8 @@ struct Outcome {
     std::string said; // the errors of the hostile script
 };
 
-Outcome play(std::vector<std::string> const& sources, int threads, int length = frames) {
-    ScriptedGame const game(sources);
+Outcome play(ScriptedGame const& game, int threads, int length = frames) {
+    (void)game.log->take();
     WorldOptions options;
     options.threads = threads;
     options.rowsWorthThreads = 0;
@@ -87,7 +87,7 @@ Outcome play(std::vector<std::string> const& sources, int threads, int length = 
 }
 
 Outcome const& undisturbed() {
-    static Outcome const alone = play({witness}, 1);
+    static Outcome const alone = play(ScriptedGame({witness}), 1);
     return alone;
 }
 
@@ -102,8 +102,8 @@ TEST_P(HostileInWorld, RuinsItsOwnInteractionAndNothingElse) {
         EXPECT_GE(problems.count(), 1U);
         return;
     }
-    std::vector<std::string> const sources{witness, hostileInteraction(text)};
-    Outcome const one = play(sources, 1);
+    ScriptedGame const game({witness, hostileInteraction(text)}); // takes as long as the worlds together
+    Outcome const one = play(game, 1);
     EXPECT_EQ(one.course, undisturbed().course) << "the level and the other script go on as they did";
     EXPECT_EQ(one.errorsOfOthers, 0);
     EXPECT_EQ(one.errors, expected == "harmless" ? 0 : 1) << "the player gets one message: " << one.said;
@@ -111,7 +111,7 @@ TEST_P(HostileInWorld, RuinsItsOwnInteractionAndNothingElse) {
         << "the last says that there were more";
     std::vector<std::uint64_t> const beginning(one.hashes.begin(), one.hashes.begin() + repeatedFrames);
     for (int const threads : {1, 2, 8, 32}) {
-        Outcome const again = play(sources, threads, repeatedFrames);
+        Outcome const again = play(game, threads, repeatedFrames);
         EXPECT_EQ(again.hashes, beginning) << threads << " threads";
     }
 }

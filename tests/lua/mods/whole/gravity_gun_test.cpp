@@ -9,7 +9,7 @@ namespace trembler::lua {
 namespace {
 
 struct GunWorld {
-    std::unique_ptr<GameData const> game = gameWith({"gravity-gun"});
+    GameData const* game = gameWith({"gravity-gun"});
     std::unique_ptr<World> world = worldOf(*game, R"(
         {"name": "gun", "part": "gravity gun", "at": [0, 0]},
         {"name": "ball", "part": "steel ball", "at": [2, 0.1]},

@@ -1,7 +1,7 @@
-#include "game/app/options/picture_size.hpp"
+#include "game/app/options/values/picture_size.hpp"
 
-#include "game/app/options/numbers.hpp"
-#include "game/app/options/rule.hpp"
+#include "game/app/options/rule/rule.hpp"
+#include "game/app/options/values/numbers.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
-#include "game/app/options/refusal.hpp"
+#include "game/app/options/rule/refusal.hpp"
 
-#include "game/app/options/rule.hpp"
+#include "game/app/options/rule/rule.hpp"
 #include "runtime/level/json/suggestion.hpp"
 
 #include <fmt/format.h>

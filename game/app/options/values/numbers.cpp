@@ -1,4 +1,4 @@
-#include "game/app/options/numbers.hpp"
+#include "game/app/options/values/numbers.hpp"
 
 #include <charconv>
 #include <cmath>

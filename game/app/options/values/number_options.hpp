@@ -1,8 +1,8 @@
 // Command-line options that take a number.
 #pragma once
 
-#include "game/app/options/numbers.hpp"
-#include "game/app/options/rule.hpp"
+#include "game/app/options/rule/rule.hpp"
+#include "game/app/options/values/numbers.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
-#include "game/app/options/watch_option.hpp"
+#include "game/app/options/run/watch_option.hpp"
 
-#include "game/app/options/rule.hpp"
+#include "game/app/options/rule/rule.hpp"
 #include "insight/probe/watch.hpp"
 
 #include <fmt/format.h>

@@ -18,7 +18,7 @@
 //     outputs.finish();                                            // throws if anything was not written
 #pragma once
 
-#include "game/app/options/file_kinds.hpp"
+#include "game/app/options/files/file_kinds.hpp"
 #include "runtime/file/output_file.hpp"
 
 #include <CLI/CLI.hpp>

@@ -1,6 +1,6 @@
-#include "game/app/options/outputs.hpp"
+#include "game/app/options/files/outputs.hpp"
 
-#include "game/app/options/file_rules.hpp"
+#include "game/app/options/files/file_rules.hpp"
 
 #include <fmt/format.h>
 

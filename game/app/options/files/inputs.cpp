@@ -1,7 +1,7 @@
-#include "game/app/options/inputs.hpp"
+#include "game/app/options/files/inputs.hpp"
 
 #include "game/app/mods/mods.hpp"
-#include "game/app/options/outputs.hpp"
+#include "game/app/options/files/outputs.hpp"
 #include "puzzle/data/game_data.hpp"
 
 namespace trembler {

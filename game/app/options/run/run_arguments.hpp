@@ -1,7 +1,7 @@
 // The arguments of `trembler run`.
 #pragma once
 
-#include "game/app/options/outputs.hpp"
+#include "game/app/options/files/outputs.hpp"
 
 #include <cstdint>
 #include <optional>

@@ -2,8 +2,8 @@
 // leave it as it is.
 #pragma once
 
-#include "game/app/options/file_kinds.hpp"
-#include "game/app/options/rule.hpp"
+#include "game/app/options/files/file_kinds.hpp"
+#include "game/app/options/rule/rule.hpp"
 
 #include <CLI/CLI.hpp>
 

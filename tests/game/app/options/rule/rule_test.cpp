@@ -1,7 +1,7 @@
 // One rule for all options of all commands: a value that is empty, doubled, unknown, out of its range, or a
 // file that cannot be, is refused before anything runs, by one line that names the option, the value and what
 // was expected.
-#include "game/app/options/rule.hpp"
+#include "game/app/options/rule/rule.hpp"
 #include "tests/game/app/options/option_table.hpp"
 #include "tests/game/app/program.hpp"
 

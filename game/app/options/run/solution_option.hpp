@@ -2,11 +2,13 @@
 #pragma once
 
 #include "puzzle/data/game_data.hpp"
+#include "puzzle/session/session.hpp"
 #include "puzzle/solutions/solution_file.hpp"
 
 #include <CLI/CLI.hpp>
 
 #include <filesystem>
+#include <memory>
 #include <string>
 
 namespace trembler {
@@ -16,9 +18,9 @@ CLI::Option* addSolution(CLI::App& command, std::string& target, std::string con
 /// findOrLoadSolution() whose std::invalid_argument names the option.
 [[nodiscard]] Solution solutionStated(Registry const& registry, LevelFile const& level,
                                       std::string const& nameOrFile);
-/// For commands that leave the reading to others: throws what reading the level, and the solution if one is
-/// stated, throws.
-void checkSolutionStated(GameData const& data, std::filesystem::path const& level,
-                         std::string const& nameOrFile);
+/// A session at the level, with the solution if one is stated. Throws what reading the level, and the
+/// solution, throws.
+[[nodiscard]] std::unique_ptr<Session> sessionStated(GameData const& data, std::filesystem::path const& level,
+                                                     std::string const& nameOrFile);
 
 } // namespace trembler

@@ -1,6 +1,6 @@
-#include "game/app/options/solution_option.hpp"
+#include "game/app/options/run/solution_option.hpp"
 
-#include "game/app/options/rule.hpp"
+#include "game/app/options/rule/rule.hpp"
 #include "puzzle/checks/checked_level.hpp"
 
 #include <fmt/format.h>
@@ -22,12 +22,14 @@ Solution solutionStated(Registry const& registry, LevelFile const& level, std::s
     }
 }
 
-void checkSolutionStated(GameData const& data, std::filesystem::path const& level,
-                         std::string const& nameOrFile) {
-    LevelFile const file = loadPlayable(data.registry, data.parts, level);
+std::unique_ptr<Session> sessionStated(GameData const& data, std::filesystem::path const& level,
+                                       std::string const& nameOrFile) {
+    auto session =
+        std::make_unique<Session>(data.registry, data.parts, loadPlayable(data.registry, data.parts, level));
     if (!nameOrFile.empty()) {
-        (void)solutionStated(data.registry, file, nameOrFile);
+        session->load(solutionStated(data.registry, session->level(), nameOrFile));
     }
+    return session;
 }
 
 } // namespace trembler

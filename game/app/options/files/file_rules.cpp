@@ -1,4 +1,4 @@
-#include "game/app/options/file_rules.hpp"
+#include "game/app/options/files/file_rules.hpp"
 
 #include "runtime/file/output_file.hpp"
 

@@ -1,7 +1,7 @@
-#include "game/app/options/assignments.hpp"
+#include "game/app/options/values/assignments.hpp"
 
-#include "game/app/options/numbers.hpp"
-#include "game/app/options/rule.hpp"
+#include "game/app/options/rule/rule.hpp"
+#include "game/app/options/values/numbers.hpp"
 #include "puzzle/data/effects.hpp"
 #include "runtime/level/json/suggestion.hpp"
 #include "runtime/level/model/detail_levels.hpp"

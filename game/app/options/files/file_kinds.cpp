@@ -1,4 +1,4 @@
-#include "game/app/options/file_kinds.hpp"
+#include "game/app/options/files/file_kinds.hpp"
 
 #include "runtime/file/lower_case.hpp"
 

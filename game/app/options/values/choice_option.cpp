@@ -1,6 +1,6 @@
-#include "game/app/options/choice_option.hpp"
+#include "game/app/options/values/choice_option.hpp"
 
-#include "game/app/options/rule.hpp"
+#include "game/app/options/rule/rule.hpp"
 #include "runtime/level/json/suggestion.hpp"
 
 #include <algorithm>

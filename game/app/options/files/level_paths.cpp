@@ -1,4 +1,4 @@
-#include "game/app/options/level_paths.hpp"
+#include "game/app/options/files/level_paths.hpp"
 
 #include "puzzle/campaign/chapter.hpp"
 #include "puzzle/data/game_data.hpp"

@@ -1,5 +1,6 @@
-#include "game/app/options/rule.hpp"
+#include "game/app/options/rule/rule.hpp"
 
+#include "runtime/file/cut_text.hpp"
 #include "runtime/file/visible_text.hpp"
 
 #include <fmt/format.h>
@@ -117,11 +118,7 @@ std::string expectedBy(CLI::Option& option) {
 
 std::string shown(std::string_view value) {
     constexpr std::size_t most = 200; // bytes
-    if (value.size() <= most) {
-        return visible(value);
-    }
-    std::string_view const begin = value.substr(0, most);
-    return visible(begin.substr(0, most - unfinishedCharacter(begin))) + "…";
+    return visible(cutText(std::string(value), most));
 }
 
 } // namespace trembler
