@@ -44,6 +44,10 @@ void Probes::remove(std::string_view what) {
 }
 
 void Probes::look(World const& world, std::uint64_t frame) {
+    last_ = frame;
+    if (!frames_.empty() && frame - frames_.back() < gap_) {
+        return;
+    }
     std::size_t next = 0;
     for (watch::Watch const& watch : watches_) {
         for (watch::Cell const& cell : watch.read(world)) {
@@ -54,6 +58,25 @@ void Probes::look(World const& world, std::uint64_t frame) {
         }
     }
     frames_.push_back(frame);
+    if (frames_.size() > 2 && frames_.size() * std::max<std::size_t>(series_.size(), 1) > most_) {
+        thinOut();
+    }
+}
+
+void Probes::thinOut() {
+    gap_ = 2 * std::max(gap_, (frames_.back() - frames_.front()) / (frames_.size() - 1));
+    std::vector<std::uint64_t> kept;
+    for (std::uint64_t const frame : frames_) {
+        if (kept.empty() || frame - kept.back() >= gap_) {
+            kept.push_back(frame);
+        }
+    }
+    frames_ = std::move(kept);
+    for (Series& series : series_) {
+        std::erase_if(series.samples, [&](Sample const& sample) {
+            return !std::binary_search(frames_.begin(), frames_.end(), sample.frame);
+        });
+    }
 }
 
 void Probes::forgetAfter(std::uint64_t frame) {
@@ -61,6 +84,11 @@ void Probes::forgetAfter(std::uint64_t frame) {
         std::erase_if(series.samples, [frame](Sample const& sample) { return sample.frame > frame; });
     }
     std::erase_if(frames_, [frame](std::uint64_t each) { return each > frame; });
+    if (frames_.empty()) {
+        last_.reset();
+    } else if (*last_ > frame) {
+        last_ = frame;
+    }
 }
 
 void Probes::clearSamples() {
@@ -68,6 +96,8 @@ void Probes::clearSamples() {
         series.samples.clear();
     }
     frames_.clear();
+    last_.reset();
+    gap_ = 1;
 }
 
 } // namespace trembler::insight

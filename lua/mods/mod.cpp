@@ -1,6 +1,7 @@
 #include "lua/mods/mod.hpp"
 
 #include "lua/mods/mod_name.hpp"
+#include "runtime/file/data_folder.hpp"
 #include "runtime/file/folder_files.hpp"
 #include "runtime/level/json/json_node.hpp"
 #include "runtime/level/json/suggestion.hpp"
@@ -8,10 +9,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <map>
 #include <set>
 #include <system_error>
+#include <utility>
 
 namespace trembler::lua {
 namespace {
@@ -119,10 +120,8 @@ std::vector<fs::path> modFolders(std::span<std::string const> stated, fs::path c
             folders.push_back(at.parent_path().parent_path()); // the level is in a mod itself
         }
     }
-    if (char const* const data = std::getenv("XDG_DATA_HOME"); data != nullptr && *data != '\0') {
-        folders.push_back(fs::path(data) / "trembler" / "mods");
-    } else if (char const* const user = std::getenv("HOME"); user != nullptr && *user != '\0') {
-        folders.push_back(fs::path(user) / ".local" / "share" / "trembler" / "mods");
+    if (fs::path own = inDataFolder("mods"); !own.empty()) {
+        folders.push_back(std::move(own));
     }
     folders.push_back(home / "mods");
     return folders;

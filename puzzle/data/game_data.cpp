@@ -5,6 +5,7 @@
 #include "puzzle/campaign/chapter.hpp"
 #include "puzzle/data/effects.hpp"
 #include "puzzle/data/own_part_files.hpp"
+#include "runtime/file/data_folder.hpp"
 #include "runtime/file/folder_files.hpp"
 #include "runtime/level/build/check_composites.hpp"
 #include "runtime/level/read/folder_limits.hpp"
@@ -44,13 +45,7 @@ fs::path homeFolder() {
 }
 
 fs::path ownPartsFolder() {
-    if (char const* const data = std::getenv("XDG_DATA_HOME"); data != nullptr && *data != '\0') {
-        return fs::path(data) / "trembler" / "parts";
-    }
-    if (char const* const home = std::getenv("HOME"); home != nullptr && *home != '\0') {
-        return fs::path(home) / ".local" / "share" / "trembler" / "parts";
-    }
-    return {};
+    return inDataFolder("parts");
 }
 
 GameData::GameData() : GameData(std::vector<lua::Mod>()) {}
@@ -78,7 +73,7 @@ GameData::GameData(std::vector<lua::Mod> loaded)
         }
     }
     checkComposites(parts); // a mod's parts may consist of others
-    ownPartFaults = addOwnParts(registry, ownPartsFolder(), parts);
+    ownPartFaults = addOwnParts(registry, ownPartsFolder(), parts, ownPartLimits, &damagedOwnParts);
 }
 
 std::vector<fs::path> GameData::levels() const {

@@ -4,6 +4,7 @@
 #include "lua/attach/live_script.hpp"
 #include "lua/component/script_log.hpp"
 #include "lua/mods/mod.hpp"
+#include "runtime/file/kept_file.hpp"
 #include "runtime/level/json/diagnostic.hpp"
 #include "runtime/level/model/part_library.hpp"
 #include "runtime/world/registry.hpp"
@@ -21,7 +22,7 @@ namespace trembler {
 [[nodiscard]] std::filesystem::path homeFolder();
 
 /// The folder of the player's own parts, which levels may use as those of the game:
-/// $XDG_DATA_HOME/trembler/parts, or below ~/.local/share. Empty if neither variable is set.
+/// parts/ in dataFolder(). Empty if there is none.
 [[nodiscard]] std::filesystem::path ownPartsFolder();
 
 struct GameData {
@@ -31,6 +32,8 @@ struct GameData {
     std::vector<lua::Mod> mods; ///< the loaded ones
     /// Own parts that cannot be used, for a message of the editor; a level that needs one says so itself.
     std::vector<Diagnostic> ownPartFaults;
+    /// Files of own parts that are damaged. They were only looked at: commands move nothing of the player's.
+    std::vector<DamagedFile> damagedOwnParts;
     std::shared_ptr<lua::ScriptLog> scriptLog;       ///< messages of their scripts
     std::shared_ptr<lua::LiveScripts const> scripts; ///< their scripts, which can change while worlds run
 

@@ -46,7 +46,7 @@ std::vector<Diagnostic> addIfUsable(PartLibrary& library, PartDefinition const& 
 } // namespace
 
 std::vector<Diagnostic> addOwnParts(Registry const& registry, fs::path const& folder, PartLibrary& library,
-                                    PartLimits const& most) {
+                                    PartLimits const& most, std::vector<DamagedFile>* damaged) {
     std::vector<Diagnostic> faults;
     std::vector<PartDefinition> left;
     std::error_code error;
@@ -55,7 +55,14 @@ std::vector<Diagnostic> addOwnParts(Registry const& registry, fs::path const& fo
     }
     for (fs::path const& file : partFiles(folder, faults, most)) {
         try {
-            left.push_back(readPart(registry, JsonDocument::load(file)));
+            KeptText found = KeptFile(file).look();
+            if (found.damaged && damaged != nullptr) {
+                damaged->push_back(*found.damaged);
+            }
+            // Without any good version the damaged one is read, for the place of its fault.
+            left.push_back(readPart(registry, found.text
+                                                  ? JsonDocument::parse(std::move(*found.text), file.string())
+                                                  : JsonDocument::load(file)));
         } catch (InputError const& error) {
             append(faults, error);
         }

@@ -1,6 +1,7 @@
 #include "runtime/file/file_calls.hpp"
 
 #include <atomic>
+#include <cerrno>
 #include <cstdio>
 #include <fcntl.h>
 #include <sys/file.h>
@@ -41,6 +42,14 @@ int FileCalls::link(char const* from, char const* to) {
 }
 int FileCalls::rename(char const* from, char const* to) {
     return ::rename(from, to);
+}
+int FileCalls::renameNew(char const* from, char const* to) {
+#ifdef RENAME_NOREPLACE
+    return ::renameat2(AT_FDCWD, from, AT_FDCWD, to, RENAME_NOREPLACE);
+#else
+    errno = ENOSYS;
+    return -1;
+#endif
 }
 int FileCalls::unlink(char const* path) {
     return ::unlink(path);

@@ -26,6 +26,9 @@ public:
     /// linkat() that follows links in `from`, which may be the path of a descriptor in /proc.
     virtual int link(char const* from, char const* to);
     virtual int rename(char const* from, char const* to);
+    /// renameat2() with RENAME_NOREPLACE: fails with EEXIST if there is a file `to`, and with EINVAL or
+    /// ENOSYS where the file system cannot tell.
+    virtual int renameNew(char const* from, char const* to);
     virtual int unlink(char const* path);
     virtual int mkdir(char const* path, ::mode_t mode);
 };

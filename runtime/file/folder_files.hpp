@@ -27,14 +27,19 @@ private:
 };
 
 struct FolderFiles {
-    std::vector<std::filesystem::path> files; ///< sorted
+    std::vector<std::filesystem::path> files; ///< in order
     std::size_t leftOut = 0;                  ///< further files
     std::error_code error;                    ///< of reading the folder
 };
 
-/// The entries of a folder with that extension, such as ".json"; the first `most` by name. A folder that
-/// cannot be read has none. Thread-safe.
+/// The entries of a folder with that extension, such as ".json"; the first `most` by name, sorted. A folder
+/// that cannot be read has none. Thread-safe.
 [[nodiscard]] FolderFiles filesIn(std::filesystem::path const& folder, std::string_view extension,
                                   std::size_t most);
+
+/// The same with the `most` that were changed last, the latest first; of those with the same time the first
+/// by name. Thread-safe.
+[[nodiscard]] FolderFiles newestFilesIn(std::filesystem::path const& folder, std::string_view extension,
+                                        std::size_t most);
 
 } // namespace trembler

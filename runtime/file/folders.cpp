@@ -19,7 +19,7 @@ int make(fs::path const& folder) {
     if (folder.empty() || fs::is_directory(folder, unknown)) {
         return 0;
     }
-    fs::path const above = folder.has_parent_path() ? folder.parent_path() : fs::path(".");
+    fs::path const above = folderOf(folder);
     if (!folder.has_filename()) { // the "/" at the end of a name
         return above != folder ? make(above) : ENOENT;
     }
@@ -35,6 +35,10 @@ int make(fs::path const& folder) {
 }
 
 } // namespace
+
+fs::path folderOf(fs::path const& file) {
+    return file.has_parent_path() ? file.parent_path() : fs::path(".");
+}
 
 void makeFolder(fs::path const& folder) {
     // The system refuses longer ones anyway; this keeps the recursion short.

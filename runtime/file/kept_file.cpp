@@ -2,17 +2,16 @@
 
 #include "runtime/file/file_calls.hpp"
 #include "runtime/file/folder_lock.hpp"
-#include "runtime/level/json/json_document.hpp"
-#include "runtime/level/json/limits.hpp"
+#include "runtime/file/folders.hpp"
+#include "runtime/file/unfinished_file.hpp"
+#include "runtime/level/json/diagnostic.hpp"
+#include "runtime/level/json/read_text.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <cerrno>
-#include <charconv>
-#include <csignal>
 #include <system_error>
-#include <unistd.h>
 #include <utility>
 
 namespace trembler {
@@ -20,32 +19,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path folderOfFile(fs::path const& file) {
-    return file.has_parent_path() ? file.parent_path() : fs::path(".");
-}
-
 /// What there is at a path; fs::file_type::unknown if that cannot be found out.
 fs::file_type kindOf(fs::path const& path) {
     std::error_code unknown;
     return fs::status(path, unknown).type();
-}
-
-/// Removes the unfinished files of programs that were killed.
-void removeLeftovers(fs::path const& folder) {
-    constexpr std::string_view begin = ".trembler-";
-    std::error_code error;
-    for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
-        std::string const name = at->path().filename().string();
-        if (!name.starts_with(begin) || !name.ends_with(".part")) {
-            continue;
-        }
-        ::pid_t writer = 0;
-        auto const [rest, failed] =
-            std::from_chars(name.data() + begin.size(), name.data() + name.size(), writer);
-        if (failed == std::errc() && *rest == '-' && writer > 0 && ::kill(writer, 0) != 0 && errno == ESRCH) {
-            fileCalls().unlink(at->path().c_str());
-        }
-    }
 }
 
 /// Accepts what JsonDocument accepts of nesting: what is deeper cannot be copied or written without deep
@@ -84,7 +61,8 @@ bool isWholeJson(std::string_view text) {
     return begin != std::string_view::npos && text[begin] == '{' && nlohmann::json::sax_parse(text, &check);
 }
 
-KeptFile::KeptFile(fs::path const& file, IsWhole whole) : file_(fileBehind(file)), whole_(std::move(whole)) {}
+KeptFile::KeptFile(fs::path const& file, IsWhole whole, std::size_t most)
+    : file_(fileBehind(file)), whole_(std::move(whole)), most_(most) {}
 
 fs::path KeptFile::lastGood() const {
     fs::path last = file_;
@@ -96,14 +74,14 @@ std::optional<std::string> KeptFile::presentText() const {
     if (kindOf(file_) == fs::file_type::not_found) {
         return std::nullopt;
     }
-    return JsonDocument::readText(file_);
+    return readText(file_, most_);
 }
 
 /// Nothing if there is none, or if it is not whole itself.
 std::optional<std::string> KeptFile::lastText() const {
     try {
         if (kindOf(lastGood()) == fs::file_type::regular) {
-            if (std::string text = JsonDocument::readText(lastGood()); whole_(text)) {
+            if (std::string text = readText(lastGood(), most_); whole_(text)) {
                 return text;
             }
         }
@@ -112,7 +90,6 @@ std::optional<std::string> KeptFile::lastText() const {
     return std::nullopt;
 }
 
-/// Without moving anything. Throws InputError.
 KeptText KeptFile::look() const {
     auto present = presentText();
     if (present && whole_(*present)) {
@@ -131,7 +108,7 @@ KeptText KeptFile::read() const {
         return found;
     }
     try {
-        FolderLock const lock(folderOfFile(file_));
+        FolderLock const lock(folderOf(file_));
         KeptText found = look(); // as another program may have left it meanwhile
         if (found.damaged && !found.damaged->gone) {
             found.damaged->aside = moveAside();
@@ -180,7 +157,7 @@ fs::path KeptFile::moveAside() const {
             throw OutputError(file_, error);
         }
         try {
-            synchroniseFolder(folderOfFile(file_));
+            synchroniseFolder(folderOf(file_));
         } catch (
             OutputError const&) { // it is aside; at worst the storage brings it back, and it is moved again
         }
@@ -193,13 +170,13 @@ void KeptFile::write(std::string_view text) const {
 }
 
 KeptText KeptFile::change(std::function<std::optional<std::string>(KeptText const&)> const& text) const {
-    fs::path const folder = folderOfFile(file_);
+    fs::path const folder = folderOf(file_);
     makeFolder(folder);
     FolderLock const lock(folder);
     KeptText found;
     if (fs::file_type const kind = kindOf(file_);
         kind == fs::file_type::regular || kind == fs::file_type::not_found) {
-        removeLeftovers(folder);
+        removeUnfinished(folder);
         try {
             found = look();
         } catch (InputError const& error) { // it must not be replaced by something that was made without it
@@ -209,6 +186,9 @@ KeptText KeptFile::change(std::function<std::optional<std::string>(KeptText cons
     std::optional<std::string> const wanted = text(found);
     if (!wanted || (found.inPlace() && *wanted == *found.text)) {
         return found;
+    }
+    if (wanted->size() > most_) { // it could never be read
+        throw OutputError(file_, EFBIG);
     }
     if (found.damaged && !found.damaged->gone) {
         found.damaged->aside = moveAside();
@@ -226,7 +206,7 @@ KeptText KeptFile::change(std::function<std::optional<std::string>(KeptText cons
 /// The file itself stays in its place, too: at no moment is there no file.
 void KeptFile::keepAsLast(std::string const& present) const {
     fs::path const last = lastGood();
-    fs::path const beside = folderOfFile(file_) / fmt::format(".trembler-{}-last.part", ::getpid());
+    fs::path const beside = folderOf(file_) / unfinishedName("last");
     int linked = fileCalls().link(file_.c_str(), beside.c_str());
     if (linked != 0 && errno == EEXIST) { // of a program that was killed and had the same number
         fileCalls().unlink(beside.c_str());
@@ -251,7 +231,7 @@ void KeptFile::keepAsLast(std::string const& present) const {
 }
 
 void KeptFile::remove() const {
-    fs::path const folder = folderOfFile(file_);
+    fs::path const folder = folderOf(file_);
     FolderLock const lock(folder);
     if (kindOf(file_) == fs::file_type::regular) { // what is damaged or cannot be read is not ours to delete
         try {

@@ -3,8 +3,7 @@
 //
 // - It is written aside, synchronised and renamed; the version before it is kept as FILE~, the last good one.
 // - One that is cut, empty or damaged is moved aside to FILE.damaged-1, never overwritten, and the last good
-// one
-//   is taken in its place.
+//   one is taken in its place.
 // - Programs that change the same file at the same time do so one after the other, each from what is there
 // then.
 //
@@ -12,7 +11,9 @@
 #pragma once
 
 #include "runtime/file/output_file.hpp"
+#include "runtime/level/json/limits.hpp"
 
+#include <cstddef>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -47,13 +48,18 @@ struct KeptText {
 /// Functions may be called by several threads and programs at once. Paths may be links, which are followed.
 class KeptFile {
 public:
-    explicit KeptFile(std::filesystem::path const& file, IsWhole whole = isWholeJson);
+    /// `most`: its bytes. A larger file is not read, and none is written.
+    explicit KeptFile(std::filesystem::path const& file, IsWhole whole = isWholeJson,
+                      std::size_t most = limits::fileSize);
 
     /// Of the file, or of the last good one. A damaged file is moved aside now, if that is possible. Throws
     /// InputError if the file is there and cannot be read: then it is not known to be damaged.
     [[nodiscard]] KeptText read() const;
+    /// The same, but a damaged file stays in its place: for whoever only looks at other people's files.
+    [[nodiscard]] KeptText look() const;
     /// Replaces the text; makes the folder. Throws OutputError if it cannot be written, or if a damaged file
-    /// cannot be moved aside, or what is there cannot be read; then the file is as it was.
+    /// cannot be moved aside, or what is there cannot be read, or the text is too large (EFBIG); then the
+    /// file is as it was.
     void write(std::string_view text) const;
     /// The same with a text that `text` makes of what is there at that moment, while other programs wait; it
     /// may return nothing to leave everything as it is, a damaged file included. Returns what was there.
@@ -69,12 +75,12 @@ public:
 private:
     [[nodiscard]] std::optional<std::string> presentText() const;
     [[nodiscard]] std::optional<std::string> lastText() const;
-    [[nodiscard]] KeptText look() const;
     [[nodiscard]] std::filesystem::path moveAside() const;
     void keepAsLast(std::string const& present) const;
 
     std::filesystem::path file_; // with links followed
     IsWhole whole_;
+    std::size_t most_;
 };
 
 } // namespace trembler

@@ -3,6 +3,7 @@
 #include "runtime/file/descriptor_stream.hpp"
 #include "runtime/file/file_calls.hpp"
 #include "runtime/file/folders.hpp"
+#include "runtime/file/unfinished_file.hpp"
 
 #include <fmt/format.h>
 
@@ -14,6 +15,7 @@
 #include <system_error>
 #include <unistd.h>
 #include <utility>
+#include <vector>
 
 namespace trembler {
 namespace {
@@ -21,10 +23,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr ::mode_t usualMode = 0666; // less the umask
-
-fs::path folderOf(fs::path const& file) {
-    return file.has_parent_path() ? file.parent_path() : fs::path(".");
-}
 
 /// The path under which the kernel lists an open file.
 std::string descriptorPath(int descriptor) {
@@ -34,7 +32,7 @@ std::string descriptorPath(int descriptor) {
 /// Opens a file without a name; -1 if the file system does not support such files, or cannot name them later.
 int openUnnamed(fs::path const& folder) {
 #ifdef O_TMPFILE
-    int const made = fileCalls().open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, usualMode);
+    int const made = fileCalls().open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, usualMode);
     if (made >= 0 && ::access(descriptorPath(made).c_str(), F_OK) != 0) {
         fileCalls().close(made);
         return -1;
@@ -45,16 +43,45 @@ int openUnnamed(fs::path const& folder) {
 #endif
 }
 
-/// An unused name in the folder of `place`.
-fs::path nameBeside(fs::path const& place, unsigned attempt) {
-    return folderOf(place) / fmt::format(".trembler-{}-{}.part", ::getpid(), attempt);
-}
-
 constexpr unsigned mostAttempts = 10'000;
 
 /// Whether a file system has no hard links, or not of this file.
 bool cannotLink(int error) {
     return error == EPERM || error == EOPNOTSUPP || error == ENOSYS || error == EMLINK || error == EXDEV;
+}
+
+/// Whether a file without a name can get none, which is only seen when it is tried.
+bool cannotName(int error) {
+    return cannotLink(error) || error == ENOENT || error == EINVAL || error == ELOOP;
+}
+
+/// Whether a file system cannot rename without replacing.
+bool cannotRenameNew(int error) {
+    return error == EINVAL || error == ENOSYS || error == EOPNOTSUPP;
+}
+
+/// Copies all bytes to a file that is empty. Returns 0, or the errno of the failure.
+int copyAll(int from, int to) {
+    std::vector<char> piece(std::size_t{1} << 16U);
+    for (::off_t at = 0;;) {
+        ::ssize_t const read = ::pread(from, piece.data(), piece.size(), at);
+        if (read == 0) {
+            return 0;
+        }
+        if (read < 0 && errno != EINTR) {
+            return errno;
+        }
+        for (::ssize_t done = 0; done < read;) {
+            ::ssize_t const written =
+                fileCalls().write(to, piece.data() + done, static_cast<std::size_t>(read - done));
+            if (written > 0) {
+                done += written;
+            } else if (errno != EINTR) {
+                return written == 0 ? EIO : errno;
+            }
+        }
+        at += read > 0 ? read : 0;
+    }
 }
 
 } // namespace
@@ -110,28 +137,28 @@ OutputFile::OutputFile(InFolder, fs::path folder, Content content)
 
 OutputFile::~OutputFile() {
     stream_.reset();
+    if (!named_.empty()) { // while the lock still protects the name
+        fileCalls().unlink(named_.c_str());
+    }
     if (descriptor_ >= 0 && !isStandardOutput()) {
         fileCalls().close(descriptor_);
-    }
-    if (!named_.empty()) {
-        fileCalls().unlink(named_.c_str());
     }
 }
 
 void OutputFile::openBeside() {
     descriptor_ = openUnnamed(folderOf(place_));
-    for (unsigned attempt = 0; descriptor_ < 0 && attempt < mostAttempts; ++attempt) {
-        fs::path const name = nameBeside(place_, attempt);
-        descriptor_ = fileCalls().open(name.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, usualMode);
-        if (descriptor_ >= 0) {
-            named_ = name;
-        } else if (errno != EEXIST) {
-            break;
-        }
-    }
     if (descriptor_ < 0) {
-        refuse(errno);
+        openNamed();
     }
+}
+
+void OutputFile::openNamed() {
+    UnfinishedFile made = makeUnfinished(folderOf(place_));
+    if (made.descriptor < 0) {
+        refuse(made.error);
+    }
+    descriptor_ = made.descriptor;
+    named_ = std::move(made.path);
 }
 
 std::ostream& OutputFile::stream() {
@@ -169,23 +196,45 @@ void OutputFile::synchronise() {
 }
 
 void OutputFile::giveName() {
-    if (!named_.empty()) {
-        return;
-    }
-    unsigned attempt = 0;
-    fs::path name = nameBeside(place_, attempt);
-    while (fileCalls().link(descriptorPath(descriptor_).c_str(), name.c_str()) != 0) {
-        if (errno != EEXIST || ++attempt == mostAttempts) {
+    static_cast<void>(lockUnfinished(descriptor_)); // nobody else can have locked it
+    for (unsigned attempt = 0; named_.empty(); ++attempt) {
+        fs::path name = folderOf(place_) / unfinishedName(std::to_string(attempt));
+        if (fileCalls().link(descriptorPath(descriptor_).c_str(), name.c_str()) == 0) {
+            named_ = std::move(name);
+        } else if (cannotName(errno)) {
+            copyUnderName();
+        } else if (errno != EEXIST || attempt == mostAttempts) {
             refuse(errno);
         }
-        name = nameBeside(place_, attempt);
     }
-    named_ = name;
+}
+
+/// Of a synchronised file without a name makes one that has a temporary name.
+void OutputFile::copyUnderName() {
+    stream_.reset(); // which writes to the former one
+    int const former = descriptor_;
+    struct Close {
+        int descriptor;
+        ~Close() { fileCalls().close(descriptor); }
+    } const close{former};
+    descriptor_ = -1;
+    openNamed();
+    struct ::stat is {};
+    if (::fstat(former, &is) == 0) {
+        fileCalls().fchmod(descriptor_, is.st_mode & 07777U);
+    }
+    if (int const error = copyAll(former, descriptor_)) {
+        refuse(error);
+    }
+    if (fileCalls().fsync(descriptor_) != 0) {
+        refuse(errno);
+    }
 }
 
 void OutputFile::closeDescriptor() {
     stream_.reset();
-    if (fileCalls().close(std::exchange(descriptor_, -1)) != 0) {
+    // The bytes of a regular file are on its storage already.
+    if (fileCalls().close(std::exchange(descriptor_, -1)) != 0 && place_.empty()) {
         refuse(errno);
     }
 }
@@ -197,10 +246,11 @@ void OutputFile::commit() {
     }
     if (!place_.empty()) {
         giveName();
-    }
-    closeDescriptor();
-    if (!place_.empty()) {
         putInPlace();
+    }
+    closeDescriptor(); // and with it the lock, which must last until the temporary name is gone
+    if (!place_.empty()) {
+        synchroniseFolder(folderOf(place_));
     }
 }
 
@@ -209,7 +259,6 @@ void OutputFile::putInPlace() {
         refuse(errno);
     }
     named_.clear();
-    synchroniseFolder(folderOf(place_));
 }
 
 fs::path OutputFile::commitNew(std::function<std::string(int)> const& name) {
@@ -237,17 +286,41 @@ bool OutputFile::putAt(fs::path const& place) {
     if (errno == EEXIST) {
         return false;
     }
-    if (!cannotLink(errno) || named_.empty()) {
+    if (named_.empty() && cannotName(errno)) {
+        copyUnderName();
+        return putAt(place);
+    }
+    if (!cannotLink(errno)) {
         refuse(errno);
     }
-    // Reserved by an empty file, which is then replaced.
-    int const reserved = fileCalls().open(place.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, usualMode);
-    if (reserved < 0 && errno == EEXIST) {
+    if (fileCalls().renameNew(named_.c_str(), place.c_str()) == 0) {
+        named_.clear();
+        return true;
+    }
+    if (errno == EEXIST) {
         return false;
     }
-    if (reserved < 0 || fileCalls().close(reserved) != 0 ||
-        fileCalls().rename(named_.c_str(), place.c_str()) != 0) {
+    if (!cannotRenameNew(errno)) {
         refuse(errno);
+    }
+    return replaceReserved(place);
+}
+
+/// Where nothing else is possible: the name is reserved by an empty file, which is then replaced. False if
+/// another file has that name.
+bool OutputFile::replaceReserved(fs::path const& place) {
+    int const reserved = fileCalls().open(place.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, usualMode);
+    if (reserved < 0) {
+        if (errno == EEXIST) {
+            return false;
+        }
+        refuse(errno);
+    }
+    fileCalls().close(reserved); // nothing was written that could be lost
+    if (fileCalls().rename(named_.c_str(), place.c_str()) != 0) {
+        int const error = errno;
+        fileCalls().unlink(place.c_str());
+        refuse(error);
     }
     named_.clear();
     return true;

@@ -39,11 +39,11 @@ private:
 };
 
 /// The file is written without a name in the target's folder (or, if the file system does not support that,
-/// with a temporary name), and replaces the target when it is complete. Until then, and if the program fails
-/// or is killed, the target stays as it was. If the target is a link, it is followed. The target's
-/// permissions are kept; a target without write permission is not replaced. A target that is no regular file,
-/// such as a pipe or /dev/null, is written directly, and so is standard output, which has the name "-". One
-/// thread at a time.
+/// with a temporary name, see unfinished_file.hpp), and replaces the target when it is complete. Until then,
+/// and if the program fails or is killed, the target stays as it was. If the target is a link, it is
+/// followed. The target's permissions are kept; a target without write permission is not replaced. A target
+/// that is no regular file, such as a pipe or /dev/null, is written directly, and so is standard output,
+/// which has the name "-". One thread at a time.
 class OutputFile {
 public:
     enum class Content {
@@ -89,10 +89,13 @@ private:
 
     OutputFile(InFolder, std::filesystem::path folder, Content content);
     void openBeside();
+    void openNamed();
     void giveName();
+    void copyUnderName();
     void closeDescriptor();
     void putInPlace();
     [[nodiscard]] bool putAt(std::filesystem::path const& place);
+    [[nodiscard]] bool replaceReserved(std::filesystem::path const& place);
     [[noreturn]] void refuse(int error) const;
 
     std::filesystem::path target_;

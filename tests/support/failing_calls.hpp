@@ -30,10 +30,21 @@ public:
     [[nodiscard]] std::vector<std::string> const& log() const { return log_; }
     /// One byte per call of write().
     bool slow = false;
-    /// As on a file system without hard links.
-    bool linkless = false;
+    /// What a file system cannot do.
+    struct Lacks {
+        bool links = false;     ///< hard links of files that have a name
+        bool naming = false;    ///< names for files that were made without one
+        bool unnamed = false;   ///< files without a name
+        bool renameNew = false; ///< renaming without replacing
+        bool locks = false;
+    };
+    Lacks lacks{};
 
     int open(char const* path, int flags, ::mode_t mode) override {
+        if (lacks.unnamed && (flags & O_TMPFILE) == O_TMPFILE) {
+            errno = EOPNOTSUPP;
+            return -1;
+        }
         return fails("open " + nameOf(path)) ? -1 : FileCalls::open(path, flags, mode);
     }
     ::ssize_t write(int descriptor, void const* bytes, std::size_t count) override {
@@ -58,17 +69,29 @@ public:
         return FileCalls::close(descriptor);
     }
     int flock(int descriptor, int operation) override {
+        if (lacks.locks) {
+            errno = ENOLCK;
+            return -1;
+        }
         return fails("flock") ? -1 : FileCalls::flock(descriptor, operation);
     }
     int link(char const* from, char const* to) override {
-        if (linkless && !std::string_view(from).starts_with("/proc/")) {
-            errno = EPERM;
+        bool const unnamed = std::string_view(from).starts_with("/proc/");
+        if (unnamed ? lacks.naming : lacks.links) {
+            errno = unnamed ? ENOENT : EPERM;
             return -1;
         }
         return fails("link " + nameOf(from) + " -> " + nameOf(to)) ? -1 : FileCalls::link(from, to);
     }
     int rename(char const* from, char const* to) override {
         return fails("rename " + nameOf(from) + " -> " + nameOf(to)) ? -1 : FileCalls::rename(from, to);
+    }
+    int renameNew(char const* from, char const* to) override {
+        if (lacks.renameNew) {
+            errno = EINVAL;
+            return -1;
+        }
+        return fails("renameNew " + nameOf(from) + " -> " + nameOf(to)) ? -1 : FileCalls::renameNew(from, to);
     }
     int unlink(char const* path) override {
         return fails("unlink " + nameOf(path)) ? -1 : FileCalls::unlink(path);
@@ -78,9 +101,12 @@ public:
     }
 
 private:
+    /// Called before each call.
+    virtual void before(std::string const& /*call*/) {}
     static std::string nameOf(std::string const& path) { return path.substr(path.rfind('/') + 1); }
 
     bool fails(std::string what) {
+        before(what);
         log_.push_back(std::move(what));
         ++calls_;
         bool const now = then_ == Then::failForEver ? calls_ >= at_ : calls_ == at_;
@@ -100,6 +126,17 @@ private:
     int calls_ = 0;
     std::vector<std::string> log_;
 };
+
+/// File systems that lack some of it, as there are; the last one lacks everything.
+inline std::vector<FailingCalls::Lacks> fileSystems() {
+    return {{},
+            {.links = true},
+            {.naming = true},
+            {.unnamed = true},
+            {.links = true, .naming = true},
+            {.links = true, .unnamed = true, .renameNew = true},
+            {.links = true, .naming = true, .unnamed = true, .renameNew = true, .locks = true}};
+}
 
 /// Runs `work` in a process of its own and waits for it. Returns whether it ended by itself, with a result of
 /// true; not if it was killed.

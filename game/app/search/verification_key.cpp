@@ -15,10 +15,10 @@ namespace {
 namespace fs = std::filesystem;
 
 /// A file's name and the hash of its bytes; of none if it cannot be read. A mod may have files of any size,
-/// so they are read in pieces.
-void addFile(std::string& text, fs::path const& file) {
+/// so they are read in pieces, into `piece`, which is used again for each.
+void addFile(std::string& text, fs::path const& file, std::string& piece) {
     std::ifstream in(file, std::ios::binary);
-    std::string piece(std::size_t{1} << 20U, '\0');
+    piece.resize(std::size_t{1} << 20U);
     std::string hash;
     while (in) {
         in.read(piece.data(), static_cast<std::streamsize>(piece.size()));
@@ -27,7 +27,7 @@ void addFile(std::string& text, fs::path const& file) {
     text += fmt::format("{}\n{}\n", file.string(), hash);
 }
 
-void addFolder(std::string& text, fs::path const& folder) {
+void addFolder(std::string& text, fs::path const& folder, std::string& piece) {
     constexpr std::size_t most = 10'000; // files of a mod
     FirstPaths files(most);
     std::error_code error;
@@ -37,7 +37,7 @@ void addFolder(std::string& text, fs::path const& folder) {
         }
     }
     for (fs::path const& file : files.sorted()) {
-        addFile(text, file);
+        addFile(text, file, piece);
     }
 }
 
@@ -46,10 +46,11 @@ void addFolder(std::string& text, fs::path const& folder) {
 std::string verificationKey(GameDataByMods& data, fs::path const& level,
                             std::map<std::string, std::string> const& detail) {
     std::string text;
-    addFile(text, level);
+    std::string piece;
+    addFile(text, level, piece);
     try {
         for (lua::Mod const& mod : data.dataFor(level).mods) {
-            addFolder(text, mod.folder);
+            addFolder(text, mod.folder, piece);
         }
     } catch (InputError const& error) { // the mod's fault is the verdict on the level
         text += error.what();

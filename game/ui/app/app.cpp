@@ -6,6 +6,7 @@
 #include "game/ui/edit/edit_screen.hpp"
 #include "game/ui/play/mouse/second_player.hpp"
 #include "game/ui/play/play_screen.hpp"
+#include "game/ui/shared/kept/damaged_parts.hpp"
 #include "game/ui/shared/shown_faults.hpp"
 #include "game/ui/shared/texts.hpp"
 #include "puzzle/campaign/free_play.hpp"
@@ -70,6 +71,9 @@ GameApp::GameApp(render::Window& window, Registry const& registry, PartLibrary c
     }
     for (Diagnostic const& fault : options.faults) {
         troubles.push_back(shownFault(fault));
+    }
+    for (std::string& trouble : moveDamagedAside(options.damagedParts)) {
+        troubles.push_back(std::move(trouble));
     }
     for (std::string const& trouble : troubles) {
         context_.toasts.add(trouble, render::ToastKind::Trouble, 12);

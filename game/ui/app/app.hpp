@@ -28,6 +28,7 @@ struct GameOptions {
     LevelData levelData{};                     ///< empty: levels that name mods cannot be played
     std::vector<std::filesystem::path> mods{}; ///< folders of mods whose levels are listed
     std::vector<Diagnostic> faults{};          ///< of the player's own parts, which are reported
+    std::vector<DamagedFile> damagedParts{};   ///< of the player's own, which are moved aside and reported
     /// The levels as a game with the same levels, data and mods has read them; copied. nullptr: all levels
     /// are read now.
     LevelCatalog const* catalog = nullptr;

@@ -140,7 +140,8 @@ int playInWindow(GameData const& gameData, PlayOptions const& options) {
                  .loudspeaker = &loudspeaker,
                  .levelData = options.levelData,
                  .mods = options.mods,
-                 .faults = gameData.ownPartFaults});
+                 .faults = gameData.ownPartFaults,
+                 .damagedParts = gameData.damagedOwnParts});
     if (options.fullscreen) {
         window.setFullscreen(true);
     }

@@ -3,6 +3,7 @@
 #include "audio/device/loudspeaker.hpp"
 #include "game/ui/edit/edit_words.hpp"
 #include "game/ui/edit/study/level_studies.hpp"
+#include "game/ui/shared/kept/damaged_parts.hpp"
 #include "game/ui/shared/shown_faults.hpp"
 #include "puzzle/edit/commands/editor_state.hpp"
 #include "puzzle/edit/commands/objects.hpp"
@@ -26,6 +27,16 @@ constexpr double pauseBeforeReading = 0.1; // s
 /// At once if the last check took less than this, s, and nothing is being dragged: a step of a drag already
 /// builds the world.
 constexpr double quickCheck = 0.004;
+
+/// Whether a level's file is damaged, and its last good version is there.
+bool hasLastGood(std::filesystem::path const& level) {
+    try {
+        KeptText const found = level.empty() ? KeptText{} : KeptFile(level).look();
+        return found.damaged && found.damaged->lastTaken;
+    } catch (InputError const&) {
+        return false;
+    }
+}
 
 } // namespace
 
@@ -86,7 +97,7 @@ void EditParts::use(edit::LevelDocument next, std::shared_ptr<GameData const> ne
     view.setSubject(extent());
     view.fit();
     if (document.readOnly()) {
-        dialogs.showReadOnly();
+        dialogs.showReadOnly(hasLastGood(document.path()));
     }
 }
 
@@ -102,6 +113,9 @@ void EditParts::reloadParts() {
         plain_ = std::make_shared<GameData const>();
     } catch (InputError const& error) {
         return tell(shownError(error), render::ToastKind::Trouble);
+    }
+    for (std::string& sentence : moveDamagedAside(plain_->damagedOwnParts)) {
+        tell(std::move(sentence), render::ToastKind::Trouble);
     }
     if (options.partsMade) {
         options.partsMade(plain_);
@@ -126,6 +140,24 @@ void EditParts::openFile(std::filesystem::path const& path) {
         auto const own = dataFor(path);
         use(edit::LevelDocument::open(*own, path), own);
     } catch (std::exception const& error) {
+        tell(shownError(error), render::ToastKind::Trouble);
+    }
+}
+
+void EditParts::takeLastGood() {
+    std::filesystem::path const path = document.path();
+    try {
+        KeptText found = KeptFile(path).read();
+        if (found.damaged) {
+            tell(inWords(*found.damaged), render::ToastKind::Trouble);
+        }
+        if (!found.text || found.inPlace() || (found.damaged && !found.damaged->stays)) {
+            return openFile(path);
+        }
+        // The damaged file cannot be moved away: saving will say so.
+        auto const own = dataFor(path);
+        use(edit::LevelDocument::fromText(*own, *found.text, path, std::nullopt), own);
+    } catch (InputError const& error) {
         tell(shownError(error), render::ToastKind::Trouble);
     }
 }

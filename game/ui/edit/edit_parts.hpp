@@ -155,6 +155,8 @@ struct EditParts {
     /// Opens a file, or reports why it cannot be opened. A path that does not exist is a new level with that
     /// name.
     void openFile(std::filesystem::path const& path);
+    /// Moves the document's damaged file aside and opens its last good version.
+    void takeLastGood();
     /// The data for editing a level file; reports if its mods cannot be loaded.
     [[nodiscard]] std::shared_ptr<GameData const> dataFor(std::filesystem::path const& path);
     void newLevel();

@@ -56,12 +56,17 @@ EditScreen::EditScreen(UiContext& context, std::filesystem::path const& file, Ed
     }
     parts_.problems.refresh(parts_.document);
     if (!parts_.dialogs.isOpen()) {
-        std::vector<DamagedFile> damaged;
-        if (auto const recovery = edit::findRecovery(parts_.options.recovery, file, &damaged)) {
+        edit::RecoveryTroubles troubles;
+        if (auto const recovery = edit::findRecovery(parts_.options.recovery, file, &troubles)) {
             parts_.dialogs.offerRecovery({*recovery});
         }
-        for (DamagedFile const& one : damaged) {
+        for (DamagedFile const& one : troubles.damaged) {
             context.toasts.add(inWords(one), ToastKind::Trouble, 12);
+        }
+        if (troubles.leftOut > 0) {
+            context.toasts.add(
+                textWith("kept.recoveries_left_out", troubles.leftOut, shownPath(parts_.options.recovery)),
+                ToastKind::Trouble, 12);
         }
     }
 }

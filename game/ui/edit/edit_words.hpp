@@ -72,6 +72,10 @@ inline char const* const& readOnlyTitle = editWord("Only to look at");
 inline char const* const& readOnly = editWord("Read-only: the file has errors, or is from a newer version");
 inline char const* const& understood = editWord("Look at it");
 inline char const* const& editNevertheless = editWord("Edit it nevertheless");
+inline char const* const& takeLastGoodText = editWord("Take the last good version, {}");
+[[nodiscard]] inline std::string takeLastGood(std::string const& file) {
+    return filledIn(takeLastGoodText, file);
+}
 inline char const* const& later = editWord("Later");
 inline char const* const& conflictTitle = editWord("Replace the file?");
 inline char const* const& makePartTitle = editWord("Make a part");

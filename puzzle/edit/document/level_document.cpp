@@ -212,16 +212,37 @@ void LevelDocument::run(Command const& command, std::optional<Gesture> gesture) 
     if (patch.empty() && !joins) {
         return;
     }
-    steps_.resize(joins ? done_ - 1 : done_);
+    forgetStepsFrom(joins ? done_ - 1 : done_);
     if (!patch.empty()) {
-        steps_.push_back({command.name, std::move(patch), ++lastState_, gesture ? gesture->number : 0});
+        std::size_t const bytes = sizeof(Step) + command.name.size() + patch.bytes();
+        steps_.push_back(
+            {command.name, std::move(patch), ++lastState_, gesture ? gesture->number : 0, bytes});
+        stepBytes_ += bytes;
     }
     done_ = steps_.size();
+    shortenHistory(mostHistory);
     gestureOpen_ = gesture.has_value();
     if (!gestureOpen_) {
         before_ = {};
     }
     changed();
+}
+
+void LevelDocument::forgetStepsFrom(std::size_t first) {
+    while (steps_.size() > first) {
+        stepBytes_ -= steps_.back().bytes;
+        steps_.pop_back();
+    }
+}
+
+void LevelDocument::shortenHistory(std::size_t most) {
+    while (stepBytes_ > most && steps_.size() > fewestSteps && done_ > 0) {
+        stepBytes_ -= steps_.front().bytes;
+        firstState_ = steps_.front().state;
+        steps_.pop_front();
+        --done_;
+        ++forgotten_;
+    }
 }
 
 void LevelDocument::changeTree(Command const& command) {
@@ -263,7 +284,7 @@ bool LevelDocument::redo() {
 }
 
 void LevelDocument::goTo(std::size_t count) {
-    std::size_t const wanted = std::min(count, steps_.size());
+    std::size_t const wanted = std::min(count - std::min(count, forgotten_), steps_.size());
     while (done_ > wanted) {
         undo();
     }

@@ -9,6 +9,7 @@
 #include "runtime/level/model/level.hpp"
 
 #include <cstddef>
+#include <deque>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -39,6 +40,9 @@ struct SaveResult {
 class LevelDocument {
 public:
     enum class Overwrite { no, yes };
+    /// Of memory for the history. Beyond it the oldest steps are forgotten, but for the last few.
+    static constexpr std::size_t mostHistory = std::size_t{256} << 20U;
+    static constexpr std::size_t fewestSteps = 3;
 
     /// A new level without a file: a floor, gravity and bounds, no goals. `data` must outlive every document.
     [[nodiscard]] static LevelDocument blank(GameData const& data);
@@ -89,15 +93,18 @@ public:
     [[nodiscard]] std::uint64_t newGesture() { return ++lastGesture_; }
     [[nodiscard]] bool canUndo() const { return done_ > 0; }
     [[nodiscard]] bool canRedo() const { return done_ < steps_.size(); }
-    /// The number of steps that are done, without those that were undone.
-    [[nodiscard]] std::size_t done() const { return done_; }
+    /// The number of steps that are done, without those that were undone; those that were forgotten count.
+    [[nodiscard]] std::size_t done() const { return forgotten_ + done_; }
+    /// Forgets the oldest steps until the rest takes so many bytes of memory, or only the last few are left;
+    /// run() does it with mostHistory.
+    void shortenHistory(std::size_t most);
     /// The name of the step that undo() or redo() is about; empty if there is none.
     [[nodiscard]] std::string undoName() const;
     [[nodiscard]] std::string redoName() const;
     /// False if there is nothing to undo or redo.
     bool undo();
     bool redo();
-    /// Undoes or redoes until `count` steps are done, at most all.
+    /// Undoes or redoes until done() is `count`, as far as steps are known.
     void goTo(std::size_t count);
     /// Differs after every change of the tree, undo and redo included. For caches.
     [[nodiscard]] std::uint64_t revision() const { return revision_; }
@@ -133,6 +140,7 @@ private:
         TreePatch patch;
         std::uint64_t state;   // a number for the tree after it
         std::uint64_t gesture; // 0: none
+        std::size_t bytes;     // of memory
     };
     LevelDocument(GameData const& data, std::string text, std::filesystem::path path);
 
@@ -141,7 +149,8 @@ private:
     void changed();
     /// May throw, having changed the tree or not.
     void changeTree(Command const& command);
-    [[nodiscard]] std::uint64_t state() const { return done_ == 0 ? 0 : steps_[done_ - 1].state; }
+    void forgetStepsFrom(std::size_t first);
+    [[nodiscard]] std::uint64_t state() const { return done_ == 0 ? firstState_ : steps_[done_ - 1].state; }
     [[nodiscard]] SaveResult write(std::filesystem::path const& path, Overwrite overwrite);
 
     GameData const* data_;
@@ -151,8 +160,11 @@ private:
     std::optional<std::string> onDisk_;
     bool readOnly_ = false;
     std::vector<Diagnostic> faults_;
-    std::vector<Step> steps_;
+    std::deque<Step> steps_;
     std::size_t done_ = 0;
+    std::size_t forgotten_ = 0;    // steps before the first one
+    std::size_t stepBytes_ = 0;    // of all steps
+    std::uint64_t firstState_ = 0; // before the first one
     std::uint64_t lastState_ = 0;
     std::uint64_t savedState_ = 0;
     std::uint64_t lastGesture_ = 0;

@@ -1,5 +1,6 @@
 // Saving of LevelDocument.
 #include "puzzle/edit/document/level_document.hpp"
+#include "runtime/file/folders.hpp"
 #include "runtime/file/kept_file.hpp"
 
 #include <fmt/format.h>
@@ -11,10 +12,6 @@ namespace trembler::edit {
 namespace {
 
 namespace fs = std::filesystem;
-
-fs::path folderOf(fs::path const& file) {
-    return file.has_parent_path() ? file.parent_path() : fs::path(".");
-}
 
 /// Thrown out of KeptFile::change(), so that nothing is written.
 struct Conflict {

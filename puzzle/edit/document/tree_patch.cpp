@@ -54,6 +54,32 @@ bool takeSpelling(Json const& before, Json& after) {
     return true;
 }
 
+std::size_t bytesOf(std::string const& text) {
+    return sizeof text + (text.capacity() > std::string().capacity() ? text.capacity() + 1 : 0);
+}
+
+/// The memory of a tree.
+std::size_t bytesOf(Json const& tree) {
+    std::size_t bytes = sizeof tree;
+    if (tree.is_string()) {
+        return bytes + bytesOf(tree.get_ref<std::string const&>());
+    }
+    if (tree.is_array()) {
+        auto const& list = tree.get_ref<Json::array_t const&>();
+        bytes += sizeof list + (list.capacity() - list.size()) * sizeof tree;
+        for (Json const& entry : list) {
+            bytes += bytesOf(entry);
+        }
+    } else if (tree.is_object()) {
+        auto const& members = tree.get_ref<Json::object_t const&>();
+        bytes += sizeof members + (members.capacity() - members.size()) * sizeof members.front();
+        for (auto const& [key, value] : members) {
+            bytes += bytesOf(key) + bytesOf(value);
+        }
+    }
+    return bytes;
+}
+
 /// Puts `there` in the place of `count` entries.
 void splice(Json& node, std::size_t first, std::size_t count, Json const& there) {
     if (node.is_array()) {
@@ -148,6 +174,19 @@ void TreePatch::compare(Path& path, Json const& before, Json& after) {
     if (!takeSpelling(before, after)) {
         changes_.emplace_back(Value{path, before, after});
     }
+}
+
+std::size_t TreePatch::bytes() const {
+    std::size_t bytes = sizeof *this + changes_.capacity() * sizeof(Change);
+    for (Change const& change : changes_) {
+        bytes += std::visit(
+            [](auto const& one) {
+                return one.path.capacity() * sizeof one.path.front() + bytesOf(one.before) +
+                       bytesOf(one.after);
+            },
+            change);
+    }
+    return bytes;
 }
 
 void TreePatch::apply(Json& tree) const {

@@ -3,6 +3,7 @@
 
 #include "puzzle/edit/document/command.hpp"
 
+#include <cstddef>
 #include <string>
 #include <variant>
 #include <vector>
@@ -23,6 +24,8 @@ public:
     /// Turns the tree `before` into `after`, and back. The tree must be that one.
     void apply(Json& tree) const;
     void revert(Json& tree) const;
+    /// Of memory, roughly.
+    [[nodiscard]] std::size_t bytes() const;
 
 private:
     using Path = std::vector<std::size_t>; // of positions, in lists and in objects

@@ -1,6 +1,7 @@
 #include "puzzle/edit/recovery/autosave.hpp"
 
 #include "puzzle/edit/tree/tree_access.hpp"
+#include "runtime/file/data_folder.hpp"
 #include "runtime/file/file_calls.hpp"
 #include "runtime/file/folder_files.hpp"
 #include "runtime/file/folders.hpp"
@@ -10,7 +11,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdlib>
 #include <fcntl.h>
 #include <sys/file.h>
 #include <system_error>
@@ -22,8 +22,9 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int recoveryVersion = 1;
-constexpr std::size_t mostRecoveries = 1000;                        // files that are looked at
-constexpr std::size_t mostRecoveredBytes = std::size_t{256} << 20U; // of all texts together
+/// Of a recovery file: it has the text of the level and of its file, each with at most twice the bytes when
+/// it is quoted.
+constexpr std::size_t largestRecovery = 4 * limits::fileSize + (std::size_t{1} << 20U);
 
 fs::path lockFileOf(fs::path const& file) {
     fs::path lock = file;
@@ -33,8 +34,10 @@ fs::path lockFileOf(fs::path const& file) {
 /// Opens and locks a file; -1 if another program holds the lock, or it cannot be opened.
 int lockedFile(fs::path const& path, int flags) {
     int const descriptor = fileCalls().open(path.c_str(), flags | O_CLOEXEC, 0600);
-    if (descriptor >= 0 && ::flock(descriptor, LOCK_EX | LOCK_NB) != 0) {
-        ::close(descriptor);
+    if (descriptor >= 0 && fileCalls().flock(descriptor, LOCK_EX | LOCK_NB) != 0) {
+        int const error = errno;
+        fileCalls().close(descriptor);
+        errno = error;
         return -1;
     }
     return descriptor;
@@ -42,12 +45,12 @@ int lockedFile(fs::path const& path, int flags) {
 
 /// Whether a living program holds the lock of a recovery file.
 bool isHeld(fs::path const& file) {
-    int const descriptor = ::open(lockFileOf(file).c_str(), O_RDONLY | O_CLOEXEC);
+    int const descriptor = fileCalls().open(lockFileOf(file).c_str(), O_RDONLY | O_CLOEXEC, 0);
     if (descriptor < 0) {
         return false;
     }
-    bool const held = ::flock(descriptor, LOCK_EX | LOCK_NB) != 0;
-    ::close(descriptor);
+    bool const held = fileCalls().flock(descriptor, LOCK_EX | LOCK_NB) != 0;
+    fileCalls().close(descriptor);
     return held;
 }
 
@@ -63,13 +66,17 @@ std::optional<std::string> textInFile(fs::path const& path) {
     }
 }
 
+KeptFile recoveryFile(fs::path const& file) {
+    return KeptFile(file, isWholeJson, largestRecovery);
+}
+
 /// Nothing if it is none. One that is damaged is moved aside, and its last good version taken.
-std::optional<Recovery> readRecovery(fs::path const& file, std::vector<DamagedFile>* damaged) {
+std::optional<Recovery> readRecovery(fs::path const& file, RecoveryTroubles* troubles) {
     std::optional<std::string> stored;
     try {
-        KeptText found = KeptFile(file).read();
-        if (found.damaged && damaged != nullptr) {
-            damaged->push_back(std::move(*found.damaged));
+        KeptText found = recoveryFile(file).read();
+        if (found.damaged && troubles != nullptr) {
+            troubles->damaged.push_back(std::move(*found.damaged));
         }
         stored = std::move(found.text);
     } catch (InputError const&) { // it cannot be read now
@@ -94,22 +101,26 @@ std::optional<Recovery> readRecovery(fs::path const& file, std::vector<DamagedFi
 /// With its lock. What cannot be removed is offered again.
 void removeRecovery(fs::path const& file) {
     try {
-        KeptFile(file).remove();
+        recoveryFile(file).remove();
         fileCalls().unlink(lockFileOf(file).c_str());
     } catch (OutputError const&) { // the lock stays with it
     }
 }
 
+/// One whose text the level's file has is removed.
+std::optional<Recovery> usefulRecovery(fs::path const& file, RecoveryTroubles* troubles) {
+    auto recovery = readRecovery(file, troubles);
+    if (recovery && textInFile(recovery->level) == recovery->text) {
+        discard(*recovery);
+        return std::nullopt;
+    }
+    return recovery;
+}
+
 } // namespace
 
 fs::path recoveryFolder() {
-    if (char const* const data = std::getenv("XDG_DATA_HOME"); data != nullptr && *data != '\0') {
-        return fs::path(data) / "trembler" / "recovery";
-    }
-    if (char const* const home = std::getenv("HOME"); home != nullptr && *home != '\0') {
-        return fs::path(home) / ".local" / "share" / "trembler" / "recovery";
-    }
-    return {};
+    return inDataFolder("recovery");
 }
 
 Autosave::Autosave(fs::path folder) : folder_(std::move(folder)) {}
@@ -160,7 +171,7 @@ void Autosave::write(LevelDocument const& document) {
     if (document.onDisk()) {
         all["on_disk"] = *document.onDisk();
     }
-    KeptFile(file_).write(all.dump(-1, ' ', false, Json::error_handler_t::replace));
+    recoveryFile(file_).write(all.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
 void Autosave::takeLock() {
@@ -195,7 +206,7 @@ void Autosave::close() {
 
 void Autosave::abandon() {
     if (lock_ >= 0) {
-        ::close(lock_);
+        fileCalls().close(lock_);
     }
     lock_ = -1;
     file_.clear();
@@ -204,50 +215,52 @@ void Autosave::abandon() {
     error_.reset();
 }
 
-std::vector<Recovery> findRecoveries(fs::path const& folder, std::vector<DamagedFile>* damaged) {
-    std::vector<std::pair<fs::file_time_type, Recovery>> found;
+std::vector<Recovery> findRecoveries(fs::path const& folder, RecoveryTroubles* troubles,
+                                     RecoveryLimits const& most) {
+    std::vector<Recovery> found;
     if (folder.empty()) {
-        return {};
+        return found;
     }
+    FolderFiles const listed = newestFilesIn(folder, ".json", most.files); // before any of them is moved
+    std::size_t leftOut = listed.leftOut;
     std::size_t bytes = 0;
-    for (fs::path const& file :
-         filesIn(folder, ".json", mostRecoveries).files) { // before any of them is moved
+    for (fs::path const& file : listed.files) {
         if (isHeld(file)) {
             continue;
         }
-        auto recovery = readRecovery(file, damaged);
+        std::error_code unknown;
+        std::uintmax_t const size = fs::file_size(file, unknown);
+        bool const fits = unknown || size <= most.bytes - std::min(bytes, most.bytes);
+        if (!fits && !found.empty()) { // one is found, whatever its size
+            ++leftOut;
+            continue;
+        }
+        auto recovery = usefulRecovery(file, troubles);
         if (!recovery) {
             continue;
         }
-        if (textInFile(recovery->level) == recovery->text) {
-            discard(*recovery);
-            continue;
-        }
         bytes += recovery->text.size() + recovery->onDisk.value_or("").size();
-        if (bytes > mostRecoveredBytes) {
-            break; // it stays in its file, and is found when others are gone
-        }
-        std::error_code ignored;
-        found.emplace_back(fs::last_write_time(file, ignored), std::move(*recovery));
+        found.push_back(std::move(*recovery));
     }
-    std::sort(found.begin(), found.end(), [](auto const& a, auto const& b) {
-        return a.first != b.first ? a.first > b.first : a.second.file < b.second.file;
-    });
-    std::vector<Recovery> recoveries;
-    for (auto& [time, recovery] : found) {
-        recoveries.push_back(std::move(recovery));
+    if (troubles != nullptr) {
+        troubles->leftOut += leftOut;
     }
-    return recoveries;
+    return found;
 }
 
 std::optional<Recovery> findRecovery(fs::path const& folder, fs::path const& level,
-                                     std::vector<DamagedFile>* damaged) {
+                                     RecoveryTroubles* troubles) {
     std::error_code ignored;
     fs::path const wanted = level.empty() ? fs::path() : fs::absolute(level, ignored).lexically_normal();
-    for (Recovery& recovery : findRecoveries(folder, damaged)) {
-        if (recovery.level == wanted) {
-            return std::move(recovery);
+    FolderFiles const listed = newestFilesIn(folder, ".json", RecoveryLimits().files);
+    for (fs::path const& file : listed.files) { // one at a time, so that their sum needs no limit
+        auto recovery = isHeld(file) ? std::nullopt : usefulRecovery(file, troubles);
+        if (recovery && recovery->level == wanted) {
+            return recovery;
         }
+    }
+    if (troubles != nullptr) {
+        troubles->leftOut += listed.leftOut;
     }
     return std::nullopt;
 }

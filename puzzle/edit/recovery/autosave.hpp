@@ -4,6 +4,7 @@
 #include "puzzle/edit/document/level_document.hpp"
 #include "runtime/file/kept_file.hpp"
 
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -11,8 +12,8 @@
 
 namespace trembler::edit {
 
-/// The folder for recovery files, beside the profile with the settings: $XDG_DATA_HOME/trembler/recovery or
-/// ~/.local/share/trembler/recovery. Empty if neither is known: then nothing is kept.
+/// The folder for recovery files, beside the profile with the settings: recovery/ in dataFolder(). Empty if
+/// there is none: then nothing is kept.
 [[nodiscard]] std::filesystem::path recoveryFolder();
 
 /// Writes one document's unsaved text to a recovery file of its own, completely or not at all. The file is
@@ -69,16 +70,31 @@ struct Recovery {
     bool changedSince = false;
 };
 
-/// All recoveries of a folder that no living program holds, the newest first. Files that are no recoveries
+/// What findRecoveries() reads at most: so many files, and as many bytes together as are still allowed when a
+/// file's turn comes, but always one.
+struct RecoveryLimits {
+    std::size_t files = 1000;
+    std::size_t bytes = std::size_t{256} << 20U;
+};
+
+/// What was found beside recoveries.
+struct RecoveryTroubles {
+    std::vector<DamagedFile> damaged;
+    std::size_t leftOut = 0; ///< files beyond the limits, which are found when others are gone
+};
+
+/// The recoveries of a folder that no living program holds, the newest first. Files that are no recoveries
 /// are left out; one whose text is that of the level's file is removed, as nothing would be lost. Throws
-/// nothing. Damaged ones are moved aside and their last good versions taken; `damaged`, if there is one, gets
-/// an entry for each.
+/// nothing. Damaged ones are moved aside and their last good versions taken. Adds to `troubles`, if there are
+/// any.
 [[nodiscard]] std::vector<Recovery> findRecoveries(std::filesystem::path const& folder,
-                                                   std::vector<DamagedFile>* damaged = nullptr);
-/// The newest one of a level; of new levels, if `level` is empty.
+                                                   RecoveryTroubles* troubles = nullptr,
+                                                   RecoveryLimits const& most = {});
+/// The newest one of a level, among the RecoveryLimits().files newest; of new levels, if `level` is empty.
+/// Says in `troubles` what was left out only if it finds none.
 [[nodiscard]] std::optional<Recovery> findRecovery(std::filesystem::path const& folder,
                                                    std::filesystem::path const& level,
-                                                   std::vector<DamagedFile>* damaged = nullptr);
+                                                   RecoveryTroubles* troubles = nullptr);
 /// The recovered document, modified and writable, even if it has problems. Throws InputError if its text is
 /// not JSON. The recovery file stays until discard(); call it once the document's own Autosave has written.
 [[nodiscard]] LevelDocument recover(GameData const& data, Recovery const& recovery);

@@ -4,6 +4,7 @@
 #include "runtime/level/json/add_problem.hpp"
 #include "runtime/level/json/limits.hpp"
 #include "runtime/level/json/read_text.hpp"
+#include "runtime/level/json/refuse_file.hpp"
 #include "runtime/level/json/text_limits.hpp"
 
 #include <fmt/format.h>
@@ -148,20 +149,13 @@ private:
     std::vector<Flaw> flaws_;
 };
 
-[[noreturn]] void refuse(std::string file, std::string message, std::string expected) {
-    Diagnostic diagnostic;
-    diagnostic.file = std::move(file);
-    diagnostic.message = std::move(message);
-    diagnostic.expected = std::move(expected);
-    throw InputError({std::move(diagnostic)});
-}
-
 } // namespace
 
 JsonDocument::JsonDocument(std::string text, std::string file)
     : text_(std::move(text)), file_(std::move(file)) {
     if (text_.size() > limits::fileSize) {
-        refuse(file_, fmt::format("has {} bytes", text_.size()), fmt::format("at most {}", limits::fileSize));
+        refuseFile(file_, fmt::format("has {} bytes", text_.size()),
+                   fmt::format("at most {}", limits::fileSize));
     }
     TreeBuilder builder;
     bool const whole = nlohmann::json::sax_parse(text_, &builder);
@@ -182,7 +176,7 @@ JsonDocument::JsonDocument(std::string text, std::string file)
         });
     }
     problems.throwIfAny();
-    refuse(file_, "is not JSON", "one JSON value");
+    refuseFile(file_, "is not JSON", "one JSON value");
 }
 
 std::shared_ptr<JsonDocument const> JsonDocument::parse(std::string text, std::string file) {

@@ -1,6 +1,6 @@
 #include "runtime/level/json/read_text.hpp"
 
-#include "runtime/level/json/diagnostic.hpp"
+#include "runtime/level/json/refuse_file.hpp"
 
 #include <fmt/format.h>
 
@@ -12,14 +12,6 @@
 
 namespace trembler {
 namespace {
-
-[[noreturn]] void refuseFile(std::string file, std::string message, std::string expected) {
-    Diagnostic diagnostic;
-    diagnostic.file = std::move(file);
-    diagnostic.message = std::move(message);
-    diagnostic.expected = std::move(expected);
-    throw InputError({std::move(diagnostic)});
-}
 
 /// Fills the text from a file, or shortens it if the file is shorter. Returns 0, or the errno of the failure.
 int readInto(std::filesystem::path const& path, std::string& text) {

@@ -1,5 +1,6 @@
 #include "runtime/level/model/part_library.hpp"
 
+#include "runtime/level/json/refuse_file.hpp"
 #include "runtime/object/without.hpp"
 
 #include <fmt/format.h>
@@ -33,10 +34,7 @@ void PartLibrary::add(PartDefinition part) {
         if (part.document) {
             throw InputError({part.document->diagnostic("/name", message, "a unique name")});
         }
-        Diagnostic problem;
-        problem.file = "(part)";
-        problem.message = message;
-        throw InputError({std::move(problem)});
+        refuseFile("(part)", message, "");
     }
     std::string const name = part.name;
     parts_.emplace(name, std::move(part));

@@ -148,6 +148,20 @@ bool writesInto(int process, fs::path const& folder) {
     return false;
 }
 
+BlockingPipe::BlockingPipe(fs::path path) : path_(std::move(path)) {
+    EXPECT_EQ(::mkfifo(path_.c_str(), 0600), 0);
+    // Open for reading, too, so that a writer does not fail.
+    descriptor_ = ::open(path_.c_str(), O_RDWR | O_NONBLOCK | O_CLOEXEC);
+    EXPECT_GE(descriptor_, 0);
+    char const byte = 'x';
+    while (::write(descriptor_, &byte, 1) == 1) {
+    }
+}
+
+BlockingPipe::~BlockingPipe() {
+    ::close(descriptor_);
+}
+
 fs::path levelFile(std::string const& name) {
     return fs::path(TREMBLER_SOURCE_DIR) / "levels" / name;
 }

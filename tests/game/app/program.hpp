@@ -37,6 +37,21 @@ bool waitUntil(int process, std::function<bool()> const& condition);
 /// Whether the process has a file of that folder open for writing, under any name or without one.
 [[nodiscard]] bool writesInto(int process, std::filesystem::path const& folder);
 
+/// A pipe that is full as long as this lives, so that a program that writes to it waits.
+class BlockingPipe {
+public:
+    explicit BlockingPipe(std::filesystem::path path);
+    ~BlockingPipe();
+    BlockingPipe(BlockingPipe const&) = delete;
+    BlockingPipe& operator=(BlockingPipe const&) = delete;
+
+    [[nodiscard]] std::string path() const { return path_.string(); }
+
+private:
+    std::filesystem::path path_;
+    int descriptor_ = -1;
+};
+
 /// A level of the project.
 [[nodiscard]] std::filesystem::path levelFile(std::string const& name);
 [[nodiscard]] std::string contentsOf(std::filesystem::path const& file);

@@ -39,5 +39,31 @@ TEST(OwnPartFiles, AreAddedEachByItself) {
     EXPECT_TRUE(addOwnParts(data.registry, folder / "none", library).empty());
 }
 
+TEST(OwnPartFiles, OfDamagedOnesTheLastGoodVersionIsTakenAndNothingIsMoved) {
+    GameData const data;
+    auto const folder = std::filesystem::path(testing::TempDir()) / "damaged_part_files";
+    std::filesystem::remove_all(folder);
+    KeptFile const disc(folder / "disc.json");
+    for (char const* const density : {"500", "600"}) {
+        disc.write(std::string(R"({"name": "own disc", "properties": {"density": )") + density + "}}");
+    }
+    std::ofstream(folder / "cut.json") << R"({"name": )";
+    std::filesystem::resize_file(disc.path(), 10);
+    PartLibrary library = data.parts;
+    std::vector<DamagedFile> damaged;
+    auto const faults = addOwnParts(data.registry, folder, library, ownPartLimits, &damaged);
+    EXPECT_NE(library.find("own disc"), nullptr);
+    ASSERT_EQ(damaged.size(), 2U);
+    EXPECT_EQ(damaged[0].file, folder / "cut.json");
+    EXPECT_FALSE(damaged[0].lastTaken);
+    EXPECT_EQ(damaged[1].file, folder / "disc.json");
+    EXPECT_TRUE(damaged[1].lastTaken);
+    ASSERT_EQ(faults.size(), 1U) << "of the one without a good version";
+    EXPECT_NE(faults[0].print().find("cut.json:1:"), std::string::npos)
+        << "with the place: " << faults[0].print();
+    EXPECT_EQ(std::filesystem::file_size(disc.path()), 10U);
+    EXPECT_FALSE(std::filesystem::exists(folder / "disc.json.damaged-1"));
+}
+
 } // namespace
 } // namespace trembler

@@ -256,16 +256,73 @@ TEST_F(KeptFiles, AreWrittenWholeByAnyNumberOfWrites) {
     EXPECT_GT(static_cast<std::size_t>(calls.calls()), good.size());
 }
 
-TEST_F(KeptFiles, WorkWithoutHardLinks) {
-    FailingCalls calls;
-    calls.linkless = true;
-    FileCallsReplaced const replaced(calls);
+TEST_F(KeptFiles, WorkOnFileSystemsOfAllKinds) {
+    for (FailingCalls::Lacks const& lacks : fileSystems()) {
+        FailingCalls calls;
+        calls.lacks = lacks;
+        FileCallsReplaced const replaced(calls);
+        begin();
+        EXPECT_EQ(textOf(file.lastGood()), former);
+        put(file.path(), "");
+        KeptText const found = file.read();
+        EXPECT_EQ(found.text, former);
+        EXPECT_EQ(names(), (std::set<std::string>{"it.json", "it.json.damaged-1", "it.json~"}));
+        put(file.path(), "{");
+        file.write(next);
+        EXPECT_EQ(file.read().text, next);
+        EXPECT_EQ(names(),
+                  (std::set<std::string>{"it.json", "it.json.damaged-1", "it.json.damaged-2", "it.json~"}));
+    }
+}
+
+TEST_F(KeptFiles, AreWholeAfterAKillOnFileSystemsOfAllKinds) {
+    for (FailingCalls::Lacks const& lacks : fileSystems()) {
+        for (int at = 1;; ++at) {
+            ASSERT_LT(at, 1000);
+            begin();
+            bool const ended = inProcess([&] {
+                FailingCalls calls(FailingCalls::Then::kill, at);
+                calls.lacks = lacks;
+                FileCallsReplaced const replaced(calls);
+                file.write(next);
+                return true;
+            });
+            KeptText const found = file.read();
+            EXPECT_TRUE(found.text == good || found.text == next) << at;
+            EXPECT_FALSE(found.damaged) << at;
+            if (ended) {
+                break;
+            }
+        }
+    }
+}
+
+TEST_F(KeptFiles, HaveALimitThatHoldsForReadingAndWriting) {
+    KeptFile const small(file.path(), isWholeJson, good.size());
+    small.write(good);
+    EXPECT_EQ(small.read().text, good);
+    try {
+        small.write(good + " ");
+        FAIL() << "it could not be read again";
+    } catch (OutputError const& error) {
+        EXPECT_EQ(error.error(), EFBIG);
+        EXPECT_EQ(error.file(), file.path());
+    }
+    EXPECT_EQ(textOf(file.path()), good);
+    put(file.path(), good + " ");
+    EXPECT_THROW(static_cast<void>(small.read()), InputError);
+    EXPECT_EQ(names(), (std::set<std::string>{"it.json"}));
+}
+
+TEST_F(KeptFiles, StayWhereTheyAreWhenTheyAreOnlyLookedAt) {
     begin();
-    EXPECT_EQ(textOf(file.lastGood()), former);
-    put(file.path(), "");
-    KeptText const found = file.read();
+    put(file.path(), "{");
+    KeptText const found = file.look();
     EXPECT_EQ(found.text, former);
-    EXPECT_EQ(names(), (std::set<std::string>{"it.json", "it.json.damaged-1", "it.json~"}));
+    ASSERT_TRUE(found.damaged);
+    EXPECT_TRUE(found.damaged->lastTaken);
+    EXPECT_EQ(textOf(file.path()), "{");
+    EXPECT_EQ(names(), (std::set<std::string>{"it.json", "it.json~"}));
 }
 
 TEST_F(KeptFiles, OnAFullDiskStayAsTheyWere) {

@@ -1,4 +1,5 @@
 #include "runtime/file/output_file.hpp"
+#include "tests/support/failing_calls.hpp"
 
 #include <gtest/gtest.h>
 
@@ -136,6 +137,57 @@ TEST_F(OutputFiles, AreIndependentInOneFolder) {
         EXPECT_EQ(contentsOf(folder / std::to_string(i)), std::to_string(i));
     }
     EXPECT_EQ(files(), 8U);
+}
+
+TEST_F(OutputFiles, AreTheSameOnFileSystemsOfAllKinds) {
+    std::string const long_(200'001, 'x'); // longer than what is copied at once
+    for (test::FailingCalls::Lacks const& lacks : test::fileSystems()) {
+        SetUp();
+        test::FailingCalls calls;
+        calls.lacks = lacks;
+        FileCallsReplaced const replaced(calls);
+        writeFile(folder / "it", "former");
+        EXPECT_EQ(::chmod((folder / "it").c_str(), 0640), 0);
+        writeFile(folder / "it", long_);
+        EXPECT_EQ(contentsOf(folder / "it"), long_);
+        struct ::stat is {};
+        EXPECT_EQ(::stat((folder / "it").c_str(), &is), 0);
+        EXPECT_EQ(is.st_mode & 07777U, 0640U);
+        auto const named = [](int number) { return "new-" + std::to_string(number); };
+        EXPECT_EQ(writeNewFile(folder, named, long_), folder / "new-1");
+        EXPECT_EQ(writeNewFile(folder, named, "2"), folder / "new-2");
+        EXPECT_EQ(contentsOf(folder / "new-1"), long_);
+        EXPECT_EQ(contentsOf(folder / "new-2"), "2");
+        EXPECT_EQ(files(), 3U) << "nothing is left behind";
+    }
+}
+
+TEST_F(OutputFiles, ThatAreNewAreThereWholeOrNotAtAll) {
+    auto const named = [](int number) { return "new-" + std::to_string(number); };
+    for (test::FailingCalls::Lacks const& lacks : test::fileSystems()) {
+        for (int at = 1;; ++at) {
+            SetUp();
+            test::FailingCalls calls(test::FailingCalls::Then::failOnce, at, ENOSPC);
+            calls.lacks = lacks;
+            FileCallsReplaced const replaced(calls);
+            bool written = false;
+            try {
+                written = !writeNewFile(folder, named, "whole").empty();
+            } catch (OutputError const& error) {
+                EXPECT_EQ(error.error(), ENOSPC);
+            }
+            for (auto const& entry : fs::directory_iterator(folder)) {
+                bool const unfinished = entry.path().extension() == ".part"; // that could not be removed
+                EXPECT_TRUE(unfinished || contentsOf(entry.path()) == "whole") << at << entry.path();
+            }
+            EXPECT_TRUE(!written || fs::exists(folder / "new-1")) << at;
+            if (at > calls.calls()) {
+                EXPECT_TRUE(written);
+                EXPECT_EQ(files(), 1U);
+                break;
+            }
+        }
+    }
 }
 
 } // namespace

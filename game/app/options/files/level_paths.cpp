@@ -3,6 +3,7 @@
 #include "puzzle/campaign/chapter.hpp"
 #include "puzzle/data/game_data.hpp"
 #include "runtime/level/json/diagnostic.hpp"
+#include "runtime/level/json/refuse_file.hpp"
 #include "runtime/level/read/folder_limits.hpp"
 
 #include <fmt/format.h>
@@ -19,10 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 [[noreturn]] void refuseToRead(fs::path const& path, std::error_code const& error) {
-    Diagnostic problem;
-    problem.file = path.string();
-    problem.message = "cannot be read: " + error.message();
-    throw InputError({problem});
+    refuseFile(path.string(), "cannot be read: " + error.message(), "");
 }
 
 /// Of a mod's files only those in levels/ and tests/ are levels; hidden files are settings of editors.

@@ -117,7 +117,12 @@ void Dialogs::drawReadOnly(EditParts& parts) {
         ImGui::TextWrapped("%s", shownFault(fault).c_str());
     }
     ImGui::EndChild();
-    bool const look = choice(parts.context, words::understood, "understood", Icon::Eye, ButtonLook::Primary);
+    std::filesystem::path const& path = parts.document.path();
+    bool const last =
+        lastGood_ && choice(parts.context, words::takeLastGood(path.filename().string() + "~").c_str(),
+                            "take last good", Icon::Undo, ButtonLook::Primary);
+    bool const look = choice(parts.context, words::understood, "understood", Icon::Eye,
+                             lastGood_ ? ButtonLook::Quiet : ButtonLook::Primary);
     bool const nevertheless =
         parts.document.mayBeEdited() && choice(parts.context, words::editNevertheless, "edit nevertheless",
                                                Icon::Settings, ButtonLook::Danger);
@@ -125,8 +130,11 @@ void Dialogs::drawReadOnly(EditParts& parts) {
     if (nevertheless) {
         parts.document.editNevertheless();
     }
-    if (look || nevertheless) {
+    if (look || nevertheless || last) {
         close();
+    }
+    if (last) {
+        parts.takeLastGood();
     }
 }
 

@@ -27,7 +27,11 @@ public:
     /// Asks whether unsaved changes are to be saved; `then` is done afterwards, unless the designer cancels.
     void askUnsaved(std::function<void(EditParts&)> then);
     void offerRecovery(std::vector<edit::Recovery> recoveries);
-    void showReadOnly() { shown_ = Shown::readOnly; }
+    /// `lastGood`: the file is damaged, and its last good version can be taken.
+    void showReadOnly(bool lastGood) {
+        lastGood_ = lastGood;
+        shown_ = Shown::readOnly;
+    }
     void askPartName(std::string const& proposed);
     /// Another program has changed the file; `path` empty: the document's own.
     void askConflict(std::string message, std::filesystem::path path);
@@ -53,6 +57,7 @@ private:
     std::filesystem::path path_;
     std::filesystem::path proposed_;
     bool fresh_ = false;
+    bool lastGood_ = false;
 };
 
 } // namespace trembler::ui

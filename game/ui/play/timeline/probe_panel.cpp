@@ -67,8 +67,8 @@ void ProbePanel::toggle(World const& world, std::string const& what) {
 }
 
 void ProbePanel::removeAll() {
-    probes_ = {};
-    other_ = {};
+    probes_ = insight::Probes();
+    other_ = insight::Probes();
 }
 
 void ProbePanel::forget() {

@@ -5,6 +5,7 @@
 
 #include <cerrno>
 #include <cstdlib>
+#include <new>
 
 namespace trembler::ui {
 namespace {
@@ -75,6 +76,15 @@ std::string reasonInWords(OutputError const& why) {
 
 std::string notWritten(Owned what, OutputError const& why) {
     return std::string(beginningFor(what)) + ": " + reasonInWords(why);
+}
+
+std::string notWritten(Owned what, std::exception const& why) {
+    if (auto const* const system = dynamic_cast<fs::filesystem_error const*>(&why)) {
+        return notWritten(what, OutputError(system->path1(), system->code().value()));
+    }
+    bool const memory = dynamic_cast<std::bad_alloc const*>(&why) != nullptr;
+    return std::string(beginningFor(what)) + ": " +
+           (memory ? std::string(text("kept.why_memory")) : shownError(why) + ".");
 }
 
 std::string inWords(DamagedFile const& damaged) {

@@ -5,6 +5,7 @@
 #include "runtime/level/json/diagnostic.hpp"
 
 #include <cstdint>
+#include <exception>
 #include <filesystem>
 #include <string>
 
@@ -17,6 +18,8 @@ enum class Owned : std::uint8_t { progress, build, solution, picture, clip, plot
 [[nodiscard]] std::string shownPath(std::filesystem::path const& path);
 /// "The solution cannot be saved: the disk is full (~/...). Make room on it."
 [[nodiscard]] std::string notWritten(Owned what, OutputError const& why);
+/// The same with the message of any other error.
+[[nodiscard]] std::string notWritten(Owned what, std::exception const& why);
 /// The reason alone, with what to do: "the disk is full (~/...). Make room on it."
 [[nodiscard]] std::string reasonInWords(OutputError const& why);
 /// A file that was damaged: where it is now, and what is used instead.

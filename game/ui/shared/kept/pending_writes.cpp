@@ -2,6 +2,7 @@
 
 #include "game/ui/shared/texts.hpp"
 
+#include <exception>
 #include <utility>
 
 namespace trembler::ui {
@@ -12,22 +13,26 @@ constexpr double troubleShown = 14; // s: there is a reason and an advice to rea
 } // namespace
 
 bool PendingWrites::write(Owned what, Write write, std::size_t bytes, double seconds) {
+    std::string why;
     try {
         toasts_.add(write(), render::ToastKind::News, seconds);
         return true;
     } catch (OutputError const& error) {
-        std::size_t held = bytes;
-        for (Piece const& piece : waiting_) {
-            held += piece.bytes;
-        }
-        bool const waits = waiting_.size() < mostPieces && held <= mostBytes;
-        toasts_.add(notWritten(what, error) + " " + text(waits ? "kept.again" : "kept.not_again"),
-                    render::ToastKind::Trouble, troubleShown);
-        if (waits) {
-            waiting_.push_back({what, std::move(write), bytes, seconds});
-        }
-        return false;
+        why = notWritten(what, error);
+    } catch (std::exception const& error) {
+        why = notWritten(what, error);
     }
+    std::size_t held = bytes;
+    for (Piece const& piece : waiting_) {
+        held += piece.bytes;
+    }
+    bool const waits = waiting_.size() < mostPieces && held <= mostBytes;
+    toasts_.add(why + " " + text(waits ? "kept.again" : "kept.not_again"), render::ToastKind::Trouble,
+                troubleShown);
+    if (waits) {
+        waiting_.push_back({what, std::move(write), bytes, seconds});
+    }
+    return false;
 }
 
 void PendingWrites::look(Owned what, std::optional<OutputError> const& unwritten) {
@@ -58,16 +63,18 @@ void PendingWrites::pass(double seconds) {
 
 void PendingWrites::tryAgain() {
     sinceTry_ = 0;
-    // In order: if one cannot be written, those behind it will hardly be.
-    while (!waiting_.empty()) {
+    for (auto piece = waiting_.begin(); piece != waiting_.end();) {
         std::string written;
-        try {
-            written = waiting_.front().write();
-        } catch (OutputError const&) { // that has been said
-            return;
+        try { // why it cannot be written has been said
+            written = piece->write();
+        } catch (OutputError const&) {
+            return; // those behind it will hardly be written on this disk
+        } catch (std::exception const&) {
+            ++piece; // something of its own is wrong with it
+            continue;
         }
-        toasts_.add(std::move(written), render::ToastKind::Success, waiting_.front().seconds);
-        waiting_.pop_front();
+        toasts_.add(std::move(written), render::ToastKind::Success, piece->seconds);
+        piece = waiting_.erase(piece);
     }
 }
 

@@ -16,7 +16,8 @@ namespace trembler::ui {
 /// Window thread only.
 class PendingWrites {
 public:
-    /// Writes something and returns the sentence that says so. Throws OutputError.
+    /// Writes something and returns the sentence that says so. Whatever it throws, it is kept and tried
+    /// again.
     using Write = std::function<std::string()>;
     /// Time until something is tried again, s.
     static constexpr double patience = 5;

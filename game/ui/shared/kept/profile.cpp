@@ -2,11 +2,11 @@
 
 #include "game/ui/shared/kept/kept_words.hpp"
 #include "game/ui/shared/shown_faults.hpp"
+#include "runtime/file/data_folder.hpp"
 #include "runtime/file/kept_file.hpp"
 
 #include <algorithm>
 #include <chrono>
-#include <cstdlib>
 #include <utility>
 
 namespace trembler::ui {
@@ -74,13 +74,7 @@ bool Profile::addKind(std::string const& levelId, SolutionKind kind) {
 }
 
 fs::path Profile::usualFile() {
-    if (char const* const data = std::getenv("XDG_DATA_HOME"); data != nullptr && *data != '\0') {
-        return fs::path(data) / "trembler" / "profile.json";
-    }
-    if (char const* const home = std::getenv("HOME"); home != nullptr && *home != '\0') {
-        return fs::path(home) / ".local" / "share" / "trembler" / "profile.json";
-    }
-    return {};
+    return inDataFolder("profile.json");
 }
 
 void Profile::read() {

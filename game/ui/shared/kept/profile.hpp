@@ -52,8 +52,7 @@ public:
     /// Tries again at once, before the game ends.
     void finish();
 
-    /// The default file: $XDG_DATA_HOME/trembler/profile.json, or below ~/.local/share; empty if neither
-    /// variable is set.
+    /// The default file: profile.json in dataFolder(); empty if there is none.
     [[nodiscard]] static std::filesystem::path usualFile();
 
 private:

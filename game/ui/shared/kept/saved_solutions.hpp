@@ -32,8 +32,8 @@ public:
     /// The same, unless one of the level's files says the same already: then nothing is written, and its path
     /// is returned.
     [[nodiscard]] std::filesystem::path keep(std::string const& levelId, Solution const& solution) const;
-    /// Gives a solution another name; its file keeps its own. Throws OutputError, or InputError if the file
-    /// can no longer be read.
+    /// Gives a solution another name; its file keeps its own. One that was removed meanwhile stays so. Throws
+    /// OutputError, also if the file can no longer be read.
     static void rename(SavedSolution const& saved, std::string const& name);
     /// Throws OutputError.
     static void remove(SavedSolution const& saved);

@@ -41,15 +41,17 @@ TEST_F(Sound, LeavesNothingInTheUsersHome) {
 
 TEST_F(Sound, OfAnInterruptedRunLeavesTheOldFile) {
     std::string const before = contentsOf(at("heard.wav"));
+    BlockingPipe const rows(folder / "rows.csv"); // the run waits before its end
     for (int const signal : {SIGTERM, SIGKILL}) {
-        Ran const ran = run({"--frames", "10000000"}, [&](int process) {
-            EXPECT_TRUE(waitUntil(process, [&] { return writesInto(process, folder); }));
-            ::kill(process, signal);
-        });
+        Ran const ran =
+            run({"--frames", "10000", "--watch", "world.gravity", "--csv", rows.path()}, [&](int process) {
+                EXPECT_TRUE(waitUntil(process, [&] { return writesInto(process, folder); }));
+                ::kill(process, signal);
+            });
         EXPECT_EQ(ran.status, -1) << ran.err;
         EXPECT_EQ(contentsOf(at("heard.wav")), before);
     }
-    EXPECT_EQ(names(), (std::vector<std::string>{"heard.wav", "home", "level.json"}));
+    EXPECT_EQ(names(), (std::vector<std::string>{"heard.wav", "home", "level.json", "rows.csv"}));
 }
 
 TEST_F(Sound, DoesNotReplaceARecordingOrTheTerminal) {

@@ -251,6 +251,66 @@ TEST_F(Blocked, ALevelThatCannotBeSavedIsReportedWithTheReason) {
     EXPECT_NE(textOfFile(place / "level.json").find("another"), std::string::npos);
 }
 
+TEST_F(Blocked, ADamagedLevelIsOfferedAsItsLastGoodVersion) {
+    for (bool const german : {false, true}) {
+        free();
+        fs::create_directories(place);
+        KeptFile const level(place / "level.json");
+        std::string const good = textOfFile(levelsFolder() / "first/1-first-contact.json");
+        level.write(good);
+        level.write(good + "\n");
+        fs::resize_file(level.path(), good.size() / 2);
+        std::string const damaged = textOfFile(level.path());
+        Designer designer(sizes[german ? 1 : 0], folder / "profile.json");
+        changeSettings(designer.app().context(), {.reducedMotion = true, .language = german ? "de" : "en"});
+        designer.app().edit(level.path());
+        designer.frames(4);
+        EXPECT_TRUE(designer.parts().document.readOnly());
+        EXPECT_TRUE(says(designer, german ? "letzte gute Fassung" : "last good version"));
+        EXPECT_TRUE(says(designer, "level.json~"));
+        designer.look(std::string("kept-damaged-level-") + (german ? "de" : "en"));
+        designer.clickItem("take last good");
+        designer.frames(4);
+        EXPECT_FALSE(designer.parts().document.readOnly());
+        EXPECT_FALSE(designer.parts().document.modified());
+        EXPECT_EQ(designer.parts().document.path(), level.path());
+        EXPECT_EQ(textOfFile(level.path()), good);
+        EXPECT_EQ(textOfFile(place / "level.json.damaged-1"), damaged);
+        EXPECT_NE(designer.app().context().toasts.newest().find("level.json.damaged-1"), std::string::npos);
+        EXPECT_TRUE(
+            designer.parts().run([](edit::Json const& tree) { return edit::setTitle(tree, "another"); }));
+        EXPECT_TRUE(designer.parts().document.save().ok());
+    }
+}
+
+TEST_F(Blocked, ALevelWithOtherErrorsIsOfferedWithoutAnEarlierVersion) {
+    free();
+    fs::create_directories(place);
+    KeptFile const level(place / "level.json");
+    level.write(textOfFile(levelsFolder() / "first/1-first-contact.json"));
+    level.write(R"({"version": 2, "title": 3})"); // whole, but no level
+    Designer designer({800, 600});
+    designer.app().edit(level.path());
+    designer.frames(4);
+    EXPECT_TRUE(designer.shows("understood"));
+    EXPECT_FALSE(designer.shows("take last good"));
+}
+
+TEST_F(Blocked, UnsavedWorkBeyondTheBoundIsMentioned) {
+    free();
+    dataIn(place);
+    fs::path const recovery = place / "trembler" / "recovery";
+    fs::create_directories(recovery);
+    for (int i = 0; i < 1002; ++i) {
+        std::ofstream(recovery / (std::to_string(i) + ".json"))
+            << R"({"recovery": 1, "level": "/another/level.json", "text": "{}"})";
+    }
+    Designer designer({800, 600}, folder / "profile.json");
+    designer.editNew();
+    EXPECT_TRUE(says(designer, "2 older files stay in")) << designer.app().context().toasts.newest();
+    designer.look("kept-recoveries-800");
+}
+
 } // namespace
 } // namespace kept_test
 } // namespace trembler::ui::test

@@ -197,5 +197,67 @@ TEST(LevelDocument, AnotherSpellingOfANumberIsNoChange) {
     EXPECT_EQ(document.tree().dump(), after.dump());
 }
 
+TEST(LevelDocument, ForgetsTheOldestStepsWhenItsHistoryTakesTooMuchMemory) {
+    fs::path const file = testFolder() / "level.json";
+    writeText(file, smallLevel());
+    LevelDocument document = LevelDocument::open(editData(), file);
+    constexpr std::size_t bytes = 200'000;
+    constexpr std::size_t steps = 12;
+    std::vector<std::string> texts;
+    for (std::size_t i = 0; i < steps; ++i) {
+        document.run(
+            {"Step", [&](Json& tree) { tree["text"] = std::string(bytes, static_cast<char>('a' + i)); }});
+        texts.push_back(document.text());
+    }
+    EXPECT_EQ(document.done(), steps);
+    document.shortenHistory(2 * steps * bytes + steps * 10'000);
+    document.goTo(0);
+    EXPECT_EQ(document.text(), smallLevel()) << "all of them fit";
+    EXPECT_FALSE(document.modified());
+    document.goTo(steps);
+    document.shortenHistory(10 * bytes); // five steps: each holds a text before and after it
+    EXPECT_EQ(document.done(), steps) << "those that were forgotten count";
+    std::size_t undone = 0;
+    while (document.undo()) {
+        ++undone;
+        EXPECT_EQ(document.text(), texts[steps - 1 - undone]);
+        EXPECT_TRUE(document.modified()) << "the state that was opened is out of reach";
+    }
+    EXPECT_GE(undone, 4U);
+    EXPECT_LE(undone, 5U);
+    EXPECT_EQ(document.done(), steps - undone);
+    document.goTo(0); // no further than it can
+    EXPECT_EQ(document.done(), steps - undone);
+    document.goTo(steps);
+    EXPECT_EQ(document.text(), texts.back());
+    document.shortenHistory(0);
+    undone = 0;
+    while (document.undo()) {
+        ++undone;
+    }
+    EXPECT_EQ(undone, LevelDocument::fewestSteps) << "the last ones stay, whatever they take";
+    while (document.redo()) {
+    }
+    EXPECT_EQ(document.text(), texts.back());
+}
+
+TEST(LevelDocument, BoundsItsHistoryWhileItIsEdited) {
+    LevelDocument document = smallDocument();
+    // Half as much again as the history may take; each step holds a text before and after it.
+    constexpr std::size_t bytes = 3 * LevelDocument::mostHistory / 2 / 40 / 2;
+    for (int i = 0; i < 40; ++i) {
+        document.run({"Step", [&](Json& tree) {
+                          tree["text"] = std::string(bytes, static_cast<char>('a' + i % 26));
+                      }});
+    }
+    EXPECT_EQ(document.done(), 40U);
+    std::size_t undone = 0;
+    while (document.undo()) {
+        ++undone;
+    }
+    EXPECT_GT(undone, 24U);
+    EXPECT_LT(undone, 29U) << "two thirds fit";
+}
+
 } // namespace
 } // namespace trembler::edit

@@ -1,12 +1,15 @@
 // Recovery: the files that remain when a program ends without closing its document.
 #include "puzzle/edit/commands/contents.hpp"
 #include "puzzle/edit/recovery/autosave.hpp"
+#include "runtime/level/json/limits.hpp"
 #include "tests/puzzle/edit/edit_kit.hpp"
+#include "tests/support/failing_calls.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <random>
 #include <sys/wait.h>
@@ -188,12 +191,12 @@ TEST(Autosave, ADamagedRecoveryIsMovedAsideAndTheLastGoodOneTaken) {
     }
     for (std::uintmax_t const size : {fs::file_size(file) - 1, std::uintmax_t{20}, std::uintmax_t{0}}) {
         fs::resize_file(file, size);
-        std::vector<DamagedFile> damaged;
-        auto const found = findRecovery(folder / "recovery", {}, &damaged);
+        RecoveryTroubles troubles;
+        auto const found = findRecovery(folder / "recovery", {}, &troubles);
         ASSERT_TRUE(found) << size;
         EXPECT_EQ(found->title, "first");
-        ASSERT_EQ(damaged.size(), 1U);
-        EXPECT_EQ(fs::file_size(damaged[0].aside), size);
+        ASSERT_EQ(troubles.damaged.size(), 1U);
+        EXPECT_EQ(fs::file_size(troubles.damaged[0].aside), size);
         EXPECT_EQ(findRecoveries(folder / "recovery").size(), 1U);
     }
     discard(*findRecovery(folder / "recovery", {}));
@@ -234,6 +237,179 @@ TEST(Autosave, SaysWhatWentWrongAndIgnoresOtherFiles) {
         EXPECT_TRUE(findRecoveries(folder).empty()) << text;
     }
     EXPECT_TRUE(findRecoveries(folder / "nowhere").empty());
+}
+
+// A recovery has the text of a level twice, quoted, so it may be larger than any other file of the kind. That
+// one is read is seen by what is wrong with it, as good ones take long to be read.
+TEST(Autosave, ReadsAndReplacesRecoveriesLargerThanALevelMayBe) {
+    fs::path const recovery = testFolder() / "recovery";
+    LevelDocument document = smallDocument();
+    Autosave autosave(recovery);
+    auto const keep = [&](char const* title) {
+        document.run(setTitle(document.tree(), title));
+        autosave.flush(document);
+        ASSERT_FALSE(autosave.error()) << autosave.error()->what();
+    };
+    auto const enlarge = [&] { // with zeros that take no room
+        fs::resize_file(autosave.file(), 0);
+        fs::resize_file(autosave.file(), 2 * limits::fileSize);
+    };
+    keep("first");
+    keep("second");
+    enlarge();
+    keep("third");
+    fs::path const file = autosave.file();
+    EXPECT_EQ(fs::file_size(file.string() + ".damaged-1"), 2 * limits::fileSize);
+    keep("fourth");
+    enlarge();
+    autosave.abandon();
+    RecoveryTroubles troubles;
+    auto const found = findRecovery(recovery, {}, &troubles);
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->title, "third") << "the last good one";
+    ASSERT_EQ(troubles.damaged.size(), 1U);
+    EXPECT_EQ(troubles.damaged[0].aside, file.string() + ".damaged-2");
+    fs::remove_all(recovery);
+}
+
+/// A recovery file of a new level, changed so many hours ago.
+void leaveRecovery(fs::path const& folder, std::string const& name, std::string const& title, int hours) {
+    fs::path const file = folder / (name + ".json");
+    writeText(file, Json{{"recovery", 1}, {"level", ""}, {"text", Json{{"title", title}}.dump()}}.dump());
+    fs::last_write_time(file, fs::file_time_type::clock::now() - std::chrono::hours(hours));
+}
+
+std::vector<std::string> titlesOf(std::vector<Recovery> const& recoveries) {
+    std::vector<std::string> titles;
+    for (Recovery const& one : recoveries) {
+        titles.push_back(one.title);
+    }
+    return titles;
+}
+
+TEST(Autosave, FindsTheNewestRecoveriesWhateverTheirNames) {
+    fs::path const folder = testFolder();
+    leaveRecovery(folder, "1", "oldest", 9);
+    leaveRecovery(folder, "2", "newest", 1);
+    leaveRecovery(folder, "3", "middle", 5);
+    using Titles = std::vector<std::string>;
+    EXPECT_EQ(titlesOf(findRecoveries(folder)), (Titles{"newest", "middle", "oldest"}));
+    std::size_t const each = fs::file_size(folder / "2.json"); // all have the same size
+    struct Case {
+        RecoveryLimits most;
+        Titles expected;
+    };
+    for (Case const& one :
+         {Case{{.files = 2}, {"newest", "middle"}}, Case{{.files = 1}, {"newest"}},
+          Case{{.bytes = each + 20}, {"newest", "middle"}}, // the text is shorter than its file
+          Case{{.bytes = each}, {"newest"}}, Case{{.bytes = 0}, {"newest"}}}) {
+        RecoveryTroubles troubles;
+        EXPECT_EQ(titlesOf(findRecoveries(folder, &troubles, one.most)), one.expected);
+        EXPECT_EQ(troubles.leftOut, 3 - one.expected.size());
+    }
+    EXPECT_EQ(findRecovery(folder, {})->title, "newest");
+    for (char const* const title : {"newest", "middle", "oldest"}) { // the others come when it is gone
+        auto const found = findRecovery(folder, {});
+        ASSERT_TRUE(found);
+        EXPECT_EQ(found->title, title);
+        discard(*found);
+    }
+    EXPECT_TRUE(fs::is_empty(folder));
+}
+
+TEST(Autosave, ReadsAThousandRecoveriesAtMost) {
+    EXPECT_EQ(RecoveryLimits().files, 1000U);
+    EXPECT_EQ(RecoveryLimits().bytes, 256U << 20U);
+    fs::path const folder = testFolder();
+    for (int i = 0; i < 1003; ++i) {
+        leaveRecovery(folder, std::to_string(i), std::to_string(i), i);
+    }
+    RecoveryTroubles troubles;
+    EXPECT_EQ(findRecoveries(folder, &troubles).size(), 1000U);
+    EXPECT_EQ(troubles.leftOut, 3U);
+    RecoveryTroubles ofAnother;
+    EXPECT_FALSE(findRecovery(folder, folder / "another.json", &ofAnother));
+    EXPECT_EQ(ofAnother.leftOut, 3U) << "it may be among them";
+}
+
+TEST(Autosave, LosesNothingWhereverItIsKilled) {
+    fs::path const folder = testFolder();
+    LevelDocument document = smallDocument();
+    auto const titled = [&](char const* title) {
+        document.run(setTitle(document.tree(), title));
+        static_cast<void>(document.text());
+    };
+    fs::path const recovery = folder / "recovery";
+    // The first recovery file of all, or a further version of it.
+    for (bool const first : {true, false}) {
+        int const killed = test::killedAtEachCall(
+            [&] { fs::remove_all(recovery); },
+            [&] {
+                Autosave autosave(recovery);
+                if (!first) {
+                    test::FailingCalls whole; // is not killed
+                    FileCallsReplaced const replaced(whole);
+                    titled("before");
+                    autosave.flush(document);
+                }
+                titled("now");
+                autosave.flush(document);
+                autosave.abandon();
+            },
+            [&](int at) {
+                std::vector<Recovery> const found = findRecoveries(recovery);
+                ASSERT_LE(found.size(), 1U) << at;
+                ASSERT_TRUE(first || found.size() == 1) << at;
+                for (Recovery const& one : found) {
+                    EXPECT_TRUE(one.title == "now" || (!first && one.title == "before")) << at << one.title;
+                    discard(one);
+                }
+                // Work goes on beside what was left behind.
+                Autosave next(recovery);
+                titled("next");
+                next.flush(document);
+                EXPECT_FALSE(next.error()) << at;
+                next.abandon();
+                EXPECT_EQ(titlesOf(findRecoveries(recovery)), std::vector<std::string>{"next"}) << at;
+            });
+        EXPECT_GT(killed, 8);
+    }
+}
+
+TEST(Autosave, LosesNothingWhateverCallFails) {
+    using Then = test::FailingCalls::Then;
+    fs::path const recovery = testFolder() / "recovery";
+    LevelDocument document = smallDocument();
+    for (Then const then : {Then::failOnce, Then::failForEver}) {
+        for (int at = 1;; ++at) {
+            fs::remove_all(recovery);
+            Autosave autosave(recovery);
+            document.run(setTitle(document.tree(), "before " + std::to_string(at)));
+            autosave.flush(document);
+            std::string const before = document.text();
+            document.run(setTitle(document.tree(), "now"));
+            test::FailingCalls calls(then, at, ENOSPC);
+            {
+                FileCallsReplaced const replaced(calls);
+                autosave.flush(document);
+            }
+            std::string const stored = Json::parse(fileText(autosave.file()))["text"].get<std::string>();
+            EXPECT_TRUE(stored == document.text() || (autosave.error() && stored == before)) << at;
+            if (autosave.error()) {
+                EXPECT_TRUE(autosave.error()->error() == ENOSPC || autosave.error()->error() == EWOULDBLOCK)
+                    << autosave.error()->what();
+            }
+            autosave.flush(document); // when there is room again
+            EXPECT_FALSE(autosave.error()) << at;
+            EXPECT_EQ(Json::parse(fileText(autosave.file()))["text"].get<std::string>(), document.text());
+            bool const last = at > calls.calls();
+            autosave.close();
+            EXPECT_TRUE(fs::is_empty(recovery)) << at;
+            if (last) {
+                break;
+            }
+        }
+    }
 }
 
 } // namespace

@@ -193,13 +193,16 @@ TEST_F(Outputs, ReplaceTheOldFileAndKeepItsPermissionsAndLinks) {
 TEST_F(Outputs, OfAnInterruptedRunLeaveTheOldFiles) {
     std::string const input = level();
     write(at("old"), "precious");
+    BlockingPipe const rows(folder / "rows.csv"); // the run waits before its end
     auto const before = names();
     for (int const signal : {SIGINT, SIGTERM, SIGKILL}) {
-        Ran const ran = runProgram(
-            {"run", input, "--frames", "10000000", "--record", at("old")}, {.meanwhile = [&](int process) {
-                EXPECT_TRUE(waitUntil(process, [&] { return writesInto(process, folder); }));
-                ::kill(process, signal);
-            }});
+        Ran const ran =
+            runProgram({"run", input, "--frames", "10000", "--record", at("old"), "--watch", "world.gravity",
+                        "--csv", rows.path()},
+                       {.meanwhile = [&](int process) {
+                           EXPECT_TRUE(waitUntil(process, [&] { return writesInto(process, folder); }));
+                           ::kill(process, signal);
+                       }});
         EXPECT_EQ(ran.status, -1) << ran.err;
         EXPECT_EQ(contentsOf(at("old")), "precious");
         EXPECT_EQ(names(), before);

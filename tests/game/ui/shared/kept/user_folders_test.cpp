@@ -1,7 +1,11 @@
 // The folders for the player's pictures, and for files received from others.
 #include "game/ui/shared/kept/user_folders.hpp"
+#include "tests/support/variable.hpp"
 
 #include <gtest/gtest.h>
+
+#include <fstream>
+#include <unistd.h>
 
 namespace trembler::ui {
 namespace {
@@ -19,6 +23,22 @@ TEST(PicturesFolder, IsThatOfTheDesktop) {
           "XDG_PICTURES_DIR=\"pictures\"", "#XDG_PICTURES_DIR=\"/a\""}) {
         EXPECT_TRUE(userFolderIn(text, "XDG_PICTURES_DIR", "/home/ada").empty()) << text;
     }
+}
+
+TEST(PicturesFolder, IsReadFromAFileOfAMegabyteAtMost) {
+    namespace fs = std::filesystem;
+    fs::path const config = fs::path(testing::TempDir()) / ("user folders " + std::to_string(::getpid()));
+    fs::create_directories(config);
+    test::Variable const home("HOME", "/home/ada");
+    test::Variable const place("XDG_CONFIG_HOME", config.c_str());
+    std::string const stated = "XDG_PICTURES_DIR=\"/data/pictures\"\n#";
+    for (std::size_t const size : {stated.size(), std::size_t{1} << 20U, (std::size_t{1} << 20U) + 1}) {
+        std::ofstream(config / "user-dirs.dirs") << stated << std::string(size - stated.size(), 'x');
+        bool const fits = size <= std::size_t{1} << 20U;
+        EXPECT_EQ(usualPicturesFolder(), fits ? "/data/pictures/Trembler" : "/home/ada/Pictures/Trembler")
+            << size;
+    }
+    fs::remove_all(config);
 }
 
 TEST(DownloadsFolder, IsThatOfTheDesktop) {
