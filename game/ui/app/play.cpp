@@ -141,6 +141,7 @@ int playInWindow(GameData const& gameData, PlayOptions const& options) {
                  .loudspeaker = &loudspeaker,
                  .levelData = options.levelData,
                  .mods = options.mods,
+                 .modData = options.modData,
                  .faults = gameData.ownPartFaults});
     if (options.fullscreen) {
         window.setFullscreen(true);
