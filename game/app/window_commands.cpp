@@ -75,6 +75,9 @@ int play(PlayArguments const& arguments) {
                    : std::shared_ptr<GameData const>(gameDataFor(level, arguments.mods));
         return last;
     };
+    options.modData = [&arguments, &last](std::vector<std::string> const& names) {
+        return last = std::shared_ptr<GameData const>(gameDataWith(names, arguments.mods));
+    };
     options.mods = lua::listMods(lua::modFolders(arguments.mods, {}, gameData.home));
     options.pictures = arguments.pictures.value_or("");
     options.fullscreen = arguments.fullscreen;
@@ -95,6 +98,9 @@ int editLevels(PlayArguments const& arguments) {
         return lua::modsNamedBy(level).empty()
                    ? nullptr
                    : std::shared_ptr<GameData const>(gameDataFor(level, arguments.mods));
+    };
+    options.modData = [&arguments](std::vector<std::string> const& names) {
+        return std::shared_ptr<GameData const>(gameDataWith(names, arguments.mods));
     };
     options.mods = lua::listMods(lua::modFolders(arguments.mods, {}, gameData.home));
     options.fullscreen = arguments.fullscreen;

@@ -50,7 +50,7 @@ Json workshop() {
 } // namespace
 
 std::string freePlayLevel(PartLibrary const& parts, std::string const& title, std::string const& text,
-                          Translations const& texts) {
+                          Translations const& texts, std::vector<std::string> const& mods) {
     Json toolbox = Json::array();
     auto names = parts.names();
     names.resize(std::min(names.size(), limits::toolboxEntries - 1));
@@ -67,6 +67,9 @@ std::string freePlayLevel(PartLibrary const& parts, std::string const& title, st
         {"objects", workshop()},
         {"placing", Json::array({Json::array({-7.8, 0, 15.6, 7.8}), Json::array({6, -1.2, 1.8, 1.2})})},
         {"toolbox", std::move(toolbox)}};
+    if (!mods.empty()) {
+        level["mods"] = mods;
+    }
     if (!texts.empty()) {
         level["texts"] = writeTexts(texts);
     }

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cctype>
 #include <optional>
 #include <utility>
@@ -58,6 +59,43 @@ bool isBuild(std::string_view text) {
     }
 }
 
+/// Whether an object is a placed part of that name, or a piece of one: "lamp 2", "battery 1 plus".
+bool isOf(std::string_view object, std::string_view part) {
+    return object.size() > part.size() + 1 && object.starts_with(part) && object[part.size()] == ' ' &&
+           std::isdigit(static_cast<unsigned char>(object[part.size() + 1])) != 0;
+}
+
+/// Takes out of the build what has to do with parts that do not exist.
+AbsentPieces takeAbsent(Solution& build, PartLibrary const& parts) {
+    AbsentPieces absent;
+    std::erase_if(build.placements, [&](Placement const& placement) {
+        bool const missing = parts.find(placement.part) == nullptr;
+        if (missing) {
+            absent.placements.push_back(placement);
+        }
+        return missing;
+    });
+    std::erase_if(build.wires, [&](LevelConnection const& wire) {
+        bool const missing =
+            std::any_of(absent.placements.begin(), absent.placements.end(), [&](Placement const& one) {
+                return isOf(wire.a, one.part) || isOf(wire.b, one.part);
+            });
+        if (missing) {
+            absent.wires.push_back(wire);
+        }
+        return missing;
+    });
+    return absent;
+}
+
+std::string textOf(Solution build) {
+    build.inputs.clear();
+    build.changes.clear();
+    build.frames.reset();
+    bool const nothing = build.placements.empty() && build.wires.empty();
+    return nothing ? std::string() : writeSolution(build).dump(2) + "\n";
+}
+
 } // namespace
 
 fs::path KeptBuilds::fileOf(std::string const& levelId) const {
@@ -70,12 +108,7 @@ fs::path KeptBuilds::fileOf(std::string const& levelId) const {
 }
 
 std::string buildOf(Session const& session) {
-    Solution build = session.record("my build");
-    build.inputs.clear();
-    build.changes.clear();
-    build.frames.reset();
-    bool const nothing = build.placements.empty() && build.wires.empty();
-    return nothing ? std::string() : writeSolution(build).dump(2) + "\n";
+    return textOf(session.record("my build"));
 }
 
 void KeptBuilds::write(std::string const& levelId, std::string const& build) const {
@@ -116,7 +149,7 @@ void KeptBuilds::pass(double seconds) {
     }
 }
 
-int KeptBuilds::restore(std::string const& levelId, Session& session) {
+int KeptBuilds::restore(std::string const& levelId, Session& session, AbsentPieces* absent) {
     if (folder_.empty()) {
         return 0;
     }
@@ -136,20 +169,34 @@ int KeptBuilds::restore(std::string const& levelId, Session& session) {
     if (!build) {
         return 0;
     }
+    AbsentPieces missing = takeAbsent(*build, session.parts());
+    auto leftOut = static_cast<int>(missing.placements.size());
+    if (absent != nullptr) {
+        *absent = std::move(missing);
+    }
     try {
         session.load(*build);
-        return 0;
+        return leftOut;
     } catch (InputError const&) { // the level or a part has changed since
     }
-    int leftOut = 0;
+    int refused = 0;
     for (Placement const& placement : build->placements) {
-        leftOut += session.place(placement) ? 0 : 1;
+        refused += session.place(placement) ? 0 : 1;
     }
-    return leftOut;
+    if (refused == 0) { // else the numbers in the names of the others are not the same
+        for (LevelConnection const& wire : build->wires) {
+            ObjectId const a = session.world().store().find(wire.a);
+            ObjectId const b = session.world().store().find(wire.b);
+            if (a.valid() && b.valid()) {
+                (void)session.layWire(a, b);
+            }
+        }
+    }
+    return leftOut + refused;
 }
 
 int BuildKeeper::restore(Session& session) {
-    int const leftOut = builds_.restore(id_, session);
+    int const leftOut = builds_.restore(id_, session, &absent_);
     kept_ = buildOf(session);
     return leftOut;
 }
@@ -162,7 +209,14 @@ void BuildKeeper::pass(Session const& session, double seconds) {
     sinceLook_ = 0;
     if (std::string build = buildOf(session); build != kept_) {
         kept_ = std::move(build);
-        builds_.keep(id_, kept_);
+        if (kept_.empty() || absent_.empty()) {
+            builds_.keep(id_, kept_);
+            return;
+        }
+        Solution all = session.record("my build");
+        all.placements.insert(all.placements.end(), absent_.placements.begin(), absent_.placements.end());
+        all.wires.insert(all.wires.end(), absent_.wires.begin(), absent_.wires.end());
+        builds_.keep(id_, textOf(std::move(all)));
     }
 }
 

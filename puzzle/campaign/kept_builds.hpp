@@ -17,6 +17,14 @@ namespace trembler {
 /// placed.
 [[nodiscard]] std::string buildOf(Session const& session);
 
+/// What a build has of parts that do not exist at present, such as those of a mod that cannot be loaded.
+struct AbsentPieces {
+    std::vector<Placement> placements;
+    std::vector<LevelConnection> wires; ///< with an end at one of them
+
+    [[nodiscard]] bool empty() const { return placements.empty() && wires.empty(); }
+};
+
 /// Not thread-safe.
 class KeptBuilds {
 public:
@@ -34,8 +42,9 @@ public:
     /// Places the kept parts and wires, while building and with nothing placed. If the level has changed so
     /// that it does not fit as a whole, parts are placed one by one; returns how many were left out. Without
     /// a file nothing is placed: 0. A damaged file is moved aside, see takeDamaged(), and the last good one
-    /// taken.
-    int restore(std::string const& levelId, Session& session);
+    /// taken. Parts that do not exist at all are left out with their wires, and nothing else because of them;
+    /// they are added to `absent`, if it is not nullptr.
+    int restore(std::string const& levelId, Session& session, AbsentPieces* absent = nullptr);
 
     /// Why a build could not be written; nothing if all are.
     [[nodiscard]] std::optional<OutputError> const& unwritten() const { return unwritten_; }
@@ -57,7 +66,8 @@ private:
 };
 
 /// Hands on the builds of one level while it is played: soon after each change, at most `delay` seconds
-/// later.
+/// later. What restore() could not place, as its part does not exist at present, stays in the build as long
+/// as the player has anything placed.
 class BuildKeeper {
 public:
     /// How long a change may wait, s: several soon after one another, as when a part is turned, are one.
@@ -77,7 +87,8 @@ public:
 private:
     KeptBuilds& builds_;
     std::string id_;
-    std::string kept_;
+    std::string kept_; ///< without what is absent
+    AbsentPieces absent_;
     double sinceLook_ = 0; // s; the session is looked at once per `delay`
 };
 

@@ -105,15 +105,16 @@ Colour tileGround() {
 
 TileUse toolboxTile(ToolboxTile const& tile) {
     float const side = scaled(tile.side);
+    float const width = std::max(side, scaled(tile.width));
     float const foot = scaled(24);
-    ImGui::InvisibleButton(tile.id, {side, side + foot});
+    ImGui::InvisibleButton(tile.id, {width, side + foot});
     bool const none = tile.count == 0;
     TileUse const use{ImGui::IsItemHovered(), ImGui::IsItemActivated() && !none};
     ImVec2 const low = ImGui::GetItemRectMin();
     ImVec2 const high = ImGui::GetItemRectMax();
     auto& list = *ImGui::GetWindowDrawList();
     ImGui::PushFont(theme().fonts.small);
-    WrittenName const name = writtenName(tile.name, side - scaled(8));
+    WrittenName const name = writtenName(tile.name, width - scaled(8));
     float const written = name.second.empty() ? foot : 2 * name.size * ImGui::GetFontSize() + scaled(6);
     ImGui::PopFont();
     float const rounding = scaled(9);
@@ -125,8 +126,9 @@ TileUse toolboxTile(ToolboxTile const& tile) {
         float const inset = scaled(6);
         // ImGui's type for textures is a pointer in one version and a number in another.
         auto const texture = (ImTextureID) static_cast<std::intptr_t>(tile.picture); // NOLINT
-        list.AddImage(texture, {low.x + inset, low.y + inset}, {high.x - inset, low.y + side - inset}, {0, 1},
-                      {1, 0}, none ? imColour(faded(rgb(0xFFFFFF), 0.30F)) : IM_COL32_WHITE);
+        float const left = 0.5F * (low.x + high.x - side);
+        list.AddImage(texture, {left + inset, low.y + inset}, {left + side - inset, low.y + side - inset},
+                      {0, 1}, {1, 0}, none ? imColour(faded(rgb(0xFFFFFF), 0.30F)) : IM_COL32_WHITE);
     }
     list.AddRectFilled({low.x, high.y - written}, high,
                        imColour(lifted ? mix(paperShade, accent, 0.22F) : paperShade), rounding,

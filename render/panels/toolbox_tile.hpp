@@ -11,7 +11,8 @@ struct ToolboxTile {
     int count = -1;       ///< how many are left; negative for any number
     unsigned picture = 0; ///< an OpenGL texture, bottom row first (Framebuffer::texture); 0 for none
     bool selected = false;
-    float side = 92.F; ///< pixels at UI scale 1
+    float side = 92.F; ///< of the picture's field, pixels at UI scale 1
+    float width = 0.F; ///< of the whole tile, at least `side`; 0: the same
 };
 
 /// The player's actions on a tile. `taken` is true in the frame in which the mouse button is pressed on it,

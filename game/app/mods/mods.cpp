@@ -73,8 +73,9 @@ void addModFolderOption(CLI::App& command, std::vector<std::string>& folders, st
 
 namespace {
 
-std::vector<lua::Mod> modsFor(std::filesystem::path const& level, std::vector<std::string> const& folders) {
-    std::vector<std::string> const names = lua::modsNamedBy(level);
+/// `level` needs them; empty: the player has chosen them.
+std::vector<lua::Mod> modsNamed(std::vector<std::string> const& names, std::filesystem::path const& level,
+                                std::vector<std::string> const& folders) {
     if (names.empty()) {
         return {};
     }
@@ -96,6 +97,10 @@ std::vector<lua::Mod> modsFor(std::filesystem::path const& level, std::vector<st
     return mods;
 }
 
+std::vector<lua::Mod> modsFor(std::filesystem::path const& level, std::vector<std::string> const& folders) {
+    return modsNamed(lua::modsNamedBy(level), level, folders);
+}
+
 /// "push.lua:5: oh no" with the path of the script.
 std::string withPath(GameData const& gameData, lua::ScriptMessage const& message) {
     lua::LiveScript const* const script = gameData.scripts->find(message.script);
@@ -110,6 +115,11 @@ std::string withPath(GameData const& gameData, lua::ScriptMessage const& message
 std::unique_ptr<GameData const> gameDataFor(std::filesystem::path const& level,
                                             std::vector<std::string> const& folders) {
     return std::make_unique<GameData const>(modsFor(level, folders));
+}
+
+std::unique_ptr<GameData const> gameDataWith(std::vector<std::string> const& mods,
+                                             std::vector<std::string> const& folders) {
+    return std::make_unique<GameData const>(modsNamed(mods, {}, folders));
 }
 
 GameData const& GameDataByMods::dataFor(std::filesystem::path const& level) {

@@ -24,6 +24,10 @@ void addModFolderOption(CLI::App& command, std::vector<std::string>& folders, st
 [[nodiscard]] std::unique_ptr<GameData const> gameDataFor(std::filesystem::path const& level,
                                                           std::vector<std::string> const& folders);
 
+/// The same with the mods of these names and those that they need, of the installed ones.
+[[nodiscard]] std::unique_ptr<GameData const> gameDataWith(std::vector<std::string> const& mods,
+                                                           std::vector<std::string> const& folders);
+
 /// The game data of many levels, one for all that need the same mods from the same folders.
 class GameDataByMods {
 public:

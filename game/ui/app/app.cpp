@@ -14,6 +14,7 @@
 #include "runtime/file/folders.hpp"
 #include "runtime/file/output_file.hpp"
 
+#include <algorithm>
 #include <exception>
 #include <optional>
 #include <system_error>
@@ -133,7 +134,16 @@ void GameApp::showTitle() {
 
 void GameApp::tryOpen(std::filesystem::path const& level) {
     try {
-        open(level);
+        tryOpen(level, options_.levelData ? options_.levelData(level) : nullptr);
+    } catch (std::exception const& error) {
+        context_.toasts.add(shownError(error), render::ToastKind::Trouble, 10);
+    }
+}
+
+void GameApp::tryOpen(std::filesystem::path const& level, std::shared_ptr<GameData const> data) {
+    try {
+        show(std::make_unique<PlayScreen>(context_, level, std::move(data), options_.world));
+        menu_.close();
     } catch (std::exception const& error) {
         context_.toasts.add(shownError(error), render::ToastKind::Trouble, 10);
     }
@@ -141,6 +151,7 @@ void GameApp::tryOpen(std::filesystem::path const& level) {
 
 void GameApp::openFreePlay() {
     // A file like that of any level, written again each time, as there may be more parts than before.
+    std::shared_ptr<GameData const> data;
     fs::path file = besideProfile(options_.profile, "free-play.json");
     if (file.empty()) {
         file = options_.pictures / "free-play.json";
@@ -153,19 +164,36 @@ void GameApp::openFreePlay() {
             texts[std::string(language.id)] = {
                 textOfLanguage(language.id, "free.title"), textOfLanguage(language.id, "free.text"), {}, {}};
         }
-        writeFile(file, freePlayLevel(newest_ ? newest_->parts : context_.parts, text("free.title"),
-                                      text("free.text"), texts));
+        OfferedMods offered = options_.modData ? offeredMods(options_.mods, options_.modData) : OfferedMods();
+        tellOfLeftOut(offered.leftOut);
+        data = offered.data ? std::move(offered.data) : newest_;
+        writeFile(file, freePlayLevel(data ? data->parts : context_.parts, text("free.title"),
+                                      text("free.text"), texts, offered.names));
     } catch (OutputError const& error) {
         std::error_code unknown;
         if (!fs::exists(file, unknown)) { // else that of the last time is as good, but for new parts
             context_.toasts.add(notWritten(Owned::level, error), render::ToastKind::Trouble, 10);
             return;
         }
+        tryOpen(file); // with the mods that it names
+        return;
     } catch (std::exception const& error) {
         context_.toasts.add(shownError(error), render::ToastKind::Trouble, 10);
         return;
     }
-    tryOpen(file);
+    tryOpen(file, std::move(data));
+}
+
+void GameApp::tellOfLeftOut(std::vector<LeftOutMod> const& mods) {
+    constexpr std::size_t mostTold = 3;
+    for (std::size_t i = 0; i < std::min(mods.size(), mostTold); ++i) {
+        context_.toasts.add(textWith("free.without_mod", mods[i].name, shownFault(mods[i].fault)),
+                            render::ToastKind::Trouble, 12);
+    }
+    if (mods.size() > mostTold) {
+        context_.toasts.add(textWith("free.without_more", mods.size() - mostTold), render::ToastKind::Trouble,
+                            12);
+    }
 }
 
 void GameApp::keepOwned(double seconds) {

@@ -5,6 +5,7 @@
 #include "game/ui/app/menu/menu.hpp"
 #include "game/ui/shared/screen.hpp"
 #include "game/ui/shared/ui_context.hpp"
+#include "puzzle/data/offered_mods.hpp"
 #include "runtime/level/json/diagnostic.hpp"
 
 #include <filesystem>
@@ -26,7 +27,8 @@ struct GameOptions {
     Loudspeaker* loudspeaker = nullptr;        ///< must outlive the game; nullptr: it is silent
     bool steady = false;                       ///< disables blinking, for tests
     LevelData levelData{};                     ///< empty: levels that name mods cannot be played
-    std::vector<std::filesystem::path> mods{}; ///< folders of mods whose levels are listed
+    std::vector<std::filesystem::path> mods{}; ///< folders of mods whose levels and parts are offered
+    ModData modData{};                         ///< empty: free play has no parts of mods
     std::vector<Diagnostic> faults{};          ///< of the player's own parts, which are reported
     std::vector<DamagedFile> damagedParts{};   ///< of the player's own, which are moved aside and reported
     /// The levels as a game with the same levels, data and mods has read them; copied. nullptr: all levels
@@ -79,7 +81,11 @@ private:
     void update(double seconds);
     void follow(ScreenRequest const& request);
     void tryOpen(std::filesystem::path const& level);
+    /// With data that have the level's mods, nullptr if it names none; says why if that fails.
+    void tryOpen(std::filesystem::path const& level, std::shared_ptr<GameData const> data);
     void openFreePlay();
+    /// Names mods whose parts are not offered, with the reasons.
+    void tellOfLeftOut(std::vector<LeftOutMod> const& mods);
     /// Opens a level that was dropped onto the window, or a solution of the present one; else says why not.
     void takeDropped(std::filesystem::path const& file);
     /// Whether the present picture shows something that moves or is new.

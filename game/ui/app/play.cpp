@@ -140,6 +140,7 @@ int playInWindow(GameData const& gameData, PlayOptions const& options) {
                  .loudspeaker = &loudspeaker,
                  .levelData = options.levelData,
                  .mods = options.mods,
+                 .modData = options.modData,
                  .faults = gameData.ownPartFaults,
                  .damagedParts = gameData.damagedOwnParts});
     if (options.fullscreen) {

@@ -21,6 +21,7 @@ struct PlayOptions {
     bool edits = false;                        ///< `level` is opened in the editor; empty: a new one
     LevelData levelData{};                     ///< see GameOptions
     std::vector<std::filesystem::path> mods{}; ///< see GameOptions
+    ModData modData{};                         ///< see GameOptions
 };
 
 /// Opens the window and plays until the player leaves; returns 0. Throws render::WindowError of kind

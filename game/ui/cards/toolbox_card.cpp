@@ -18,12 +18,14 @@ using namespace render;
 constexpr float tileSide = 92;
 constexpr float tileFoot = 24;
 constexpr float handRowHeight = 52;
+constexpr float iconButtonHeight = 42;
 constexpr float leastTileInLarge = 66; ///< a large toolbox has as many columns as fit
-constexpr float tallWindow = 700;      ///< with room for rows of buttons below a large toolbox
+constexpr float leastPicture = 60;     ///< height of a picture in it: it has as many whole rows as fit
+constexpr float tallWindow = 700;      ///< with room for rows of buttons around the tiles of a large toolbox
 
-/// What the card has beside its tiles, pixels at UI scale 1.
-constexpr float smallRest = 200; ///< title, hint, the button that puts all parts back
-constexpr float largeRest = 222; ///< title, search, groups, that button
+/// What a small toolbox has beside its tiles, pixels at UI scale 1: title, hint, the button that puts all
+/// parts back.
+constexpr float smallRest = 200;
 constexpr float wireRow = 56;
 
 /// Shows the part's description while the mouse rests on its tile: left of the toolbox, whose other tiles
@@ -91,7 +93,39 @@ struct TileGrid {
     std::size_t columns = 2;
     float side = tileSide; ///< at most
     float gap = 8;
+    float width = 0; ///< of a tile, if it is wider than high
 };
+
+/// The rows of buttons below the tiles.
+struct RowsBelow {
+    bool hand = false;
+    bool wires = false;   ///< a large button for them
+    bool allBack = false; ///< a large button for it
+    bool icons = false;   ///< one row of small buttons instead
+
+    /// With the gaps between them and the edge of the card, pixels.
+    [[nodiscard]] float height() const {
+        float const gap = ImGui::GetStyle().ItemSpacing.y;
+        float const large = theme().fonts.strong->FontSize + scaled(24) + gap;
+        float const small = scaled(iconButtonHeight) + gap;
+        return ImGui::GetStyle().WindowPadding.y + (hand ? small : 0) + (wires ? large : 0) +
+               (allBack ? large : 0) + (icons ? small : 0);
+    }
+};
+
+/// The tiles of a large toolbox in a room of this height, pixels: whole rows of them.
+TileGrid gridOfLarge(float room) {
+    TileGrid grid;
+    grid.gap = 6;
+    float const width = (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ScrollbarSize) / theme().scale;
+    auto const columns = std::max(1.F, std::floor((width + grid.gap) / (leastTileInLarge + grid.gap)));
+    grid.columns = static_cast<std::size_t>(columns);
+    grid.width = std::min(tileSide, (width - (columns - 1) * grid.gap) / columns);
+    float const high = room / theme().scale + grid.gap;
+    float const rows = std::max(1.F, std::floor(high / (leastPicture + tileFoot + grid.gap)));
+    grid.side = std::clamp(high / rows - grid.gap - tileFoot, std::min(leastPicture, grid.width), grid.width);
+    return grid;
+}
 
 /// The tiles, in columns that are centred in the card. Returns the part that was taken.
 std::optional<std::string> drawTiles(Layout& layout, std::vector<ToolboxSlot> const& shown,
@@ -102,9 +136,11 @@ std::optional<std::string> drawTiles(Layout& layout, std::vector<ToolboxSlot> co
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(gap, gap));
     float const width = ImGui::GetContentRegionAvail().x; // a scroll bar takes some of it
     auto const columns = static_cast<float>(grid.columns);
-    float const side = std::min(grid.side, ((width - (columns - 1) * gap) / columns) / theme().scale);
+    float const most = ((width - (columns - 1) * gap) / columns) / theme().scale;
+    float const side = std::min(grid.side, most);
+    float const wide = std::clamp(grid.width, side, std::max(side, most));
     float const left =
-        ImGui::GetCursorPosX() + 0.5F * (width - (columns * scaled(side) + (columns - 1) * gap));
+        ImGui::GetCursorPosX() + 0.5F * (width - (columns * scaled(wide) + (columns - 1) * gap));
     for (std::size_t i = 0; i < shown.size(); ++i) {
         if (i % grid.columns != 0) {
             ImGui::SameLine();
@@ -114,7 +150,7 @@ std::optional<std::string> drawTiles(Layout& layout, std::vector<ToolboxSlot> co
         ToolboxSlot const& slot = shown[i];
         bool const inHand = carried && carried->part == slot.part;
         bool const unlimited = slot.left == unlimitedCount;
-        bool const inSight = ImGui::IsRectVisible({scaled(side), scaled(side + tileFoot)});
+        bool const inSight = ImGui::IsRectVisible({scaled(wide), scaled(side + tileFoot)});
         std::string const title = catalog.titleOf(slot.part);
         auto const pixels = static_cast<int>(std::lround(scaled(side - 12)));
         TileUse const use = toolboxTile(
@@ -124,7 +160,8 @@ std::optional<std::string> drawTiles(Layout& layout, std::vector<ToolboxSlot> co
                  unlimited ? -1 : slot.left - (inHand && carried->isNew ? 1 : 0), // that one is in the hand
              .picture = inSight ? catalog.picture(slot.part, pixels) : 0,
              .selected = inHand,
-             .side = side});
+             .side = side,
+             .width = wide});
         if (inHand && toHand) {
             ImGui::SetScrollHereY();
         }
@@ -142,53 +179,16 @@ std::optional<std::string> drawTiles(Layout& layout, std::vector<ToolboxSlot> co
     return taken;
 }
 
-} // namespace
-
-bool hasLargeToolbox(Session const& session) {
-    return session.level().toolbox.size() > ToolboxView::mostInSmall;
-}
-
-std::optional<std::string> drawToolbox(CommandButtons& buttons, Session const& session, PartCatalog& catalog,
-                                       ToolboxView& view, ToolboxLook const& look) {
-    Layout& layout = buttons.layout();
-    std::optional<std::string> taken;
-    auto const slots = session.toolbox();
-    int const wires = session.level().wires;
-    if (slots.empty() && wires == 0) {
-        return taken;
-    }
+/// The tiles, which scroll if there are more than fit into `room` (pixels).
+std::optional<std::string> drawScrolledTiles(Layout& layout, std::vector<ToolboxSlot> const& slots,
+                                             PartCatalog& catalog, ToolboxView& view,
+                                             std::optional<CarriedPart> const& carried, TileGrid const& grid,
+                                             float room) {
     bool const large = ToolboxView::large(slots);
-    auto const& carried = look.carried;
-    layout.beginCard(
-        "toolbox", words::toolbox,
-        {.anchor = Anchor::TopRight,
-         .offset = {cardGap, cornerRow},
-         .width = toolboxWidth(ImGui::GetIO().DisplaySize.x / theme().scale, hasLargeToolbox(session))});
-    if (large) {
-        drawToolboxFinder(buttons, slots, catalog, view, look.escape);
-    }
     std::vector<ToolboxSlot> const shown = view.shown(slots, catalog);
-    float const screen = ImGui::GetIO().DisplaySize.y;
-    TileGrid grid;
-    if (large) {
-        float const width =
-            (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ScrollbarSize) / theme().scale;
-        grid.gap = 6;
-        grid.columns =
-            static_cast<std::size_t>(std::max(1.F, (width + grid.gap) / (leastTileInLarge + grid.gap)));
-        auto const columns = static_cast<float>(grid.columns);
-        grid.side = std::min(tileSide, (width - (columns - 1) * grid.gap) / columns);
-    }
-    float const tile = scaled(grid.side + tileFoot);
     auto const rows = static_cast<float>((shown.size() + grid.columns - 1) / grid.columns);
-    float const rest = large ? largeRest : smallRest;
-    bool const low = large && screen < scaled(tallWindow);
-    float const more = wires > 0 && !low ? wireRow : 0; // in a low window one row has both buttons
-    float const without = screen - scaled(cornerRow + bottomRow + rest + more);
-    bool const handRow = !slots.empty() && without > tile + scaled(handRowHeight) && !low;
-    float const room = without - (handRow ? scaled(handRowHeight) : 0);
     // A large toolbox keeps its size, whatever is sought in it.
-    bool const scrolls = large || rows * (tile + scaled(grid.gap)) > room;
+    bool const scrolls = large || rows * scaled(grid.side + tileFoot + grid.gap) > room;
     if (scrolls) {
         ImGui::PushStyleColor(ImGuiCol_ChildBg, ImVec4(0, 0, 0, 0));
         ImGui::BeginChild("tiles", {0, room});
@@ -197,36 +197,104 @@ std::optional<std::string> drawToolbox(CommandButtons& buttons, Session const& s
         caption(words::noSuchPart);
     }
     bool const toHand = view.newInHand(carried && carried->isNew ? carried->part : std::string());
-    if (auto const pressed = drawTiles(layout, shown, catalog, carried, grid, toHand)) {
-        taken = pressed;
-    }
+    std::optional<std::string> taken = drawTiles(layout, shown, catalog, carried, grid, toHand);
     if (scrolls) {
         ImGui::EndChild();
         ImGui::PopStyleColor();
     }
+    return taken;
+}
+
+void drawWireButton(CommandButtons& buttons, Session const& session, bool large, bool laying) {
+    std::string const key = buttons.keyOf("wire");
+    std::string const label =
+        words::wiresLeft(session.wiresLeft()) + (large && !key.empty() ? " (" + key + ")" : "");
+    buttons.big(
+        "wire",
+        {.label = label.c_str(), .look = laying ? ButtonLook::Primary : ButtonLook::Quiet, .width = -1});
+}
+
+/// In a low window there is one line above the tiles and one below.
+std::optional<std::string> drawLarge(CommandButtons& buttons, Session const& session,
+                                     std::vector<ToolboxSlot> const& slots, PartCatalog& catalog,
+                                     ToolboxView& view, ToolboxLook const& look) {
+    float const screen = ImGui::GetIO().DisplaySize.y;
+    bool const low = screen < scaled(tallWindow);
+    bool const wires = session.level().wires > 0;
+    drawToolboxFinder(buttons, slots, catalog, view, look.escape, low);
+    RowsBelow const below{.hand = !low, .wires = wires && !low, .allBack = !low, .icons = low};
+    float const room = std::max(screen - scaled(bottomRow) - ImGui::GetCursorScreenPos().y - below.height(),
+                                scaled(tileFoot));
+    std::optional<std::string> taken;
+    if (low && view.offersGroups()) {
+        ImGui::PushStyleColor(ImGuiCol_ChildBg, ImVec4(0, 0, 0, 0));
+        ImGui::BeginChild("groups", {0, room});
+        drawGroupList(buttons.layout(), slots, catalog, view);
+        ImGui::EndChild();
+        ImGui::PopStyleColor();
+    } else {
+        taken =
+            drawScrolledTiles(buttons.layout(), slots, catalog, view, look.carried, gridOfLarge(room), room);
+    }
+    if (low) {
+        drawIconRow(buttons, wires);
+        return taken;
+    }
+    drawHandRow(buttons);
+    if (wires) {
+        drawWireButton(buttons, session, true, look.laying);
+    }
+    drawAllBack(buttons, look.allBack);
+    return taken;
+}
+
+std::optional<std::string> drawSmall(CommandButtons& buttons, Session const& session,
+                                     std::vector<ToolboxSlot> const& slots, PartCatalog& catalog,
+                                     ToolboxView& view, ToolboxLook const& look) {
+    float const screen = ImGui::GetIO().DisplaySize.y;
+    bool const wires = session.level().wires > 0;
+    TileGrid const grid;
+    float const tile = scaled(grid.side + tileFoot);
+    float const without = screen - scaled(cornerRow + bottomRow + smallRest + (wires ? wireRow : 0));
+    bool const handRow = !slots.empty() && without > tile + scaled(handRowHeight);
+    float const room = without - (handRow ? scaled(handRowHeight) : 0);
+    std::optional<std::string> const taken =
+        drawScrolledTiles(buttons.layout(), slots, catalog, view, look.carried, grid, room);
     if (handRow) {
         drawHandRow(buttons);
     }
-    if (low) {
-        drawIconRow(buttons, wires > 0);
-    } else if (wires > 0) {
-        std::string const key = buttons.keyOf("wire");
-        std::string const label =
-            words::wiresLeft(session.wiresLeft()) + (large && !key.empty() ? " (" + key + ")" : "");
-        buttons.big("wire", {.label = label.c_str(),
-                             .look = look.laying ? ButtonLook::Primary : ButtonLook::Quiet,
-                             .width = -1});
+    if (wires) {
+        drawWireButton(buttons, session, false, look.laying);
     }
-    if (!large) {
-        smallCaption(carried ? words::dropHere : look.hint.c_str());
+    smallCaption(look.carried ? words::dropHere : look.hint.c_str());
+    drawAllBack(buttons, look.allBack);
+    return taken;
+}
+
+} // namespace
+
+bool hasLargeToolbox(Session const& session) {
+    return session.level().toolbox.size() > ToolboxView::mostInSmall;
+}
+
+std::optional<std::string> drawToolbox(CommandButtons& buttons, Session const& session, PartCatalog& catalog,
+                                       ToolboxView& view, ToolboxLook const& look) {
+    auto const slots = session.toolbox();
+    if (slots.empty() && session.level().wires == 0) {
+        return {};
     }
-    if (!low) {
-        drawAllBack(buttons, look.allBack);
-    }
-    if (carried) {
+    bool const large = ToolboxView::large(slots);
+    buttons.layout().beginCard(
+        "toolbox", large ? "" : words::toolbox, // the name of the group that is shown is the heading
+        {.anchor = Anchor::TopRight,
+         .offset = {cardGap, cornerRow},
+         .width = toolboxWidth(ImGui::GetIO().DisplaySize.x / theme().scale, hasLargeToolbox(session))});
+    auto const draw = large ? drawLarge : drawSmall;
+    std::optional<std::string> taken = draw(buttons, session, slots, catalog, view, look);
+    if (look.carried) {
         drawWhereToDrop();
     }
-    layout.endCard();
+    buttons.layout().endCard();
     return taken;
 }
 

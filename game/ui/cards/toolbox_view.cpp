@@ -35,6 +35,7 @@ std::string inSmallLetters(std::string text) {
 void ToolboxView::choose(std::optional<PartGroup> group) {
     group_ = group;
     sought_.clear();
+    offersGroups_ = false;
 }
 
 void ToolboxView::seek(std::string text) {
@@ -42,6 +43,7 @@ void ToolboxView::seek(std::string text) {
     sought_ = std::move(text);
     if (!sought_.empty()) {
         group_.reset();
+        offersGroups_ = false;
     }
 }
 

@@ -36,6 +36,10 @@ public:
     /// The groups of which a toolbox has parts, in their order.
     [[nodiscard]] static std::vector<PartGroup> groupsIn(std::vector<ToolboxSlot> const& slots,
                                                          PartCatalog& catalog);
+    /// Where the card has no room for a button of each group they are offered as a list in place of the
+    /// tiles, until one is chosen or a part is sought.
+    void offerGroups(bool offer) { offersGroups_ = offer; }
+    [[nodiscard]] bool offersGroups() const { return offersGroups_; }
     /// The group `by` places on among these; all parts come before the first and after the last.
     void chooseNext(std::vector<PartGroup> const& there, int by);
 
@@ -54,6 +58,7 @@ public:
 private:
     std::optional<PartGroup> group_;
     std::string sought_;
+    bool offersGroups_ = false;
     bool keysAsked_ = false;
     bool wanted_ = false;
     std::string inHand_;

@@ -88,6 +88,7 @@ void EditParts::use(edit::LevelDocument next, std::shared_ptr<GameData const> ne
     goalChosen = false;
     goalTree = playedTree = edit::GoalTree::goals;
     translation.clear();
+    limitedCounts.clear();
     goals.forget();
     studies->forget();
     tool = Tool::select;

@@ -113,8 +113,9 @@ struct EditParts {
     bool goalChosen = false;
     edit::GoalTree goalTree = edit::GoalTree::goals;   ///< which the page of goals and the scene show
     edit::GoalTree playedTree = edit::GoalTree::goals; ///< of the test play
-    std::string translation; ///< the language of the page's translations; may be empty
-    ShownEntries entries;    ///< of the page of solutions
+    std::string translation;                  ///< the language of the page's translations; may be empty
+    ShownEntries entries;                     ///< of the page of solutions
+    std::map<std::string, int> limitedCounts; ///< what the toolbox's unlimited entries had before, by part
 
     DropDown dropDown;    ///< of all lists of the panels
     edit::Gesture widget; ///< of the widget that is being used: all its values are one step of undo

@@ -56,7 +56,9 @@ void Layout::item(std::string name) {
                      std::max(ImGui::GetItemRectMin().y, from.y)};
     ImVec2 const high{std::min(ImGui::GetItemRectMax().x, to.x), std::min(ImGui::GetItemRectMax().y, to.y)};
     if (low.x < high.x && low.y < high.y) {
-        nextItems_.push_back({std::move(name), rectOf(low, high), 0});
+        ImVec2 const size = ImGui::GetItemRectSize();
+        float const cut = std::max({size.x - (high.x - low.x), size.y - (high.y - low.y), 0.F});
+        nextItems_.push_back({std::move(name), rectOf(low, high), static_cast<double>(cut)});
     }
 }
 

@@ -17,7 +17,9 @@ using render::Rect;
 struct Placed {
     std::string name;
     Rect rect;
-    double overflow = 0; ///< pixels by which a card's content is wider or higher than the card
+    /// Pixels by which a card's content is wider or higher than the card, or by which a button is cut off
+    /// where its list ends.
+    double overflow = 0;
 };
 
 /// Cards and buttons of the last complete picture and of the current one. Window thread only.

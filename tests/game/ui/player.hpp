@@ -56,6 +56,19 @@ inline std::shared_ptr<GameData const> dataWithMods(std::filesystem::path const&
     return std::make_shared<GameData const>(std::move(mods));
 }
 
+/// With mods from the folders in which these stand.
+inline std::shared_ptr<GameData const> dataWith(std::vector<std::string> const& names,
+                                                std::vector<std::filesystem::path> const& installed) {
+    std::vector<std::filesystem::path> folders;
+    for (std::filesystem::path const& mod : installed) {
+        folders.push_back(mod.parent_path());
+    }
+    Problems problems;
+    auto mods = lua::findMods(names, folders, "", problems);
+    problems.throwIfAny();
+    return std::make_shared<GameData const>(std::move(mods));
+}
+
 inline std::filesystem::path levelsFolder() {
     return std::filesystem::path(TREMBLER_SOURCE_DIR) / "levels";
 }
@@ -91,21 +104,26 @@ class Player {
 public:
     explicit Player(render::Size size = {1280, 720}, std::filesystem::path profile = {},
                     std::filesystem::path levels = levelsFolder(), Loudspeaker* loudspeaker = nullptr,
-                    budget::BudgetMode::Stopwatch stopwatch = {}) {
+                    budget::BudgetMode::Stopwatch stopwatch = {},
+                    std::vector<std::filesystem::path> const& mods = {}) {
         SDL_FlushEvents(SDL_FIRSTEVENT, SDL_LASTEVENT);
         window().resize(size);
         films_ = testFolder() / "films";
         LevelCatalog const* const catalog = levels == levelsFolder() ? &gameLevels() : nullptr;
-        app_ = std::make_unique<GameApp>(window(), gameData().registry, gameData().parts,
-                                         GameOptions{.levels = std::move(levels),
-                                                     .pictures = films_,
-                                                     .profile = std::move(profile),
-                                                     .world = {},
-                                                     .loudspeaker = loudspeaker,
-                                                     .steady = true,
-                                                     .levelData = dataWithMods,
-                                                     .catalog = catalog,
-                                                     .stopwatch = std::move(stopwatch)});
+        app_ = std::make_unique<GameApp>(
+            window(), gameData().registry, gameData().parts,
+            GameOptions{
+                .levels = std::move(levels),
+                .pictures = films_,
+                .profile = std::move(profile),
+                .world = {},
+                .loudspeaker = loudspeaker,
+                .steady = true,
+                .levelData = dataWithMods,
+                .mods = mods,
+                .modData = [mods](std::vector<std::string> const& names) { return dataWith(names, mods); },
+                .catalog = catalog,
+                .stopwatch = std::move(stopwatch)});
         app_->context().shadows = false; // half the time of a picture, on a computer without a graphics card
         frames(3);
     }

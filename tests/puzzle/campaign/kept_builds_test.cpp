@@ -78,6 +78,43 @@ TEST_F(KeptBuild, WhatNoLongerFitsIsLeftOut) {
     }
 }
 
+// A mod cannot be loaded for a while: what was built with its parts waits for it.
+TEST_F(KeptBuild, WhatIsMadeOfAbsentPartsStaysInTheFile) {
+    fs::create_directories(folder);
+    std::ofstream(builds.fileOf("x")) << R"({"name": "my build", "placements": [
+        {"part": "battery", "at": [-1, 0.2]}, {"part": "lamp", "at": [1, 1.5]}, {"part": "fan", "at": [3, 1]}],
+        "wires": [["battery 1 plus", "lamp 1"], ["fan 1", "lamp 1"]]})";
+    LevelFile const free = readLevel(
+        gameData().registry, JsonDocument::parse(freePlayLevel(gameData().parts, "Free", ""), "free.json"));
+    {
+        Session session(gameData().registry, gameData().parts, free);
+        BuildKeeper keeper(builds, "x");
+        EXPECT_EQ(keeper.restore(session), 1);
+        EXPECT_EQ(session.placed().size(), 2U);
+        EXPECT_EQ(session.wires().size(), 1U) << "the wire between what is there";
+        ASSERT_TRUE(session.place({"iron ball", {3, 2}, 0, ""}));
+        keeper.finish(session);
+    }
+    PartLibrary parts = gameData().parts;
+    PartDefinition fan = *parts.find("lamp"); // as if the mod with the fan were there again
+    fan.name = "fan";
+    parts.add(std::move(fan));
+    LevelFile const again =
+        readLevel(gameData().registry, JsonDocument::parse(freePlayLevel(parts, "Free", ""), "free.json"));
+    Session session(gameData().registry, parts, again);
+    BuildKeeper keeper(builds, "x");
+    EXPECT_EQ(keeper.restore(session), 0);
+    EXPECT_EQ(session.placed().size(), 4U);
+    EXPECT_EQ(session.wires().size(), 2U);
+    // What the player clears away is gone, whatever it was made of.
+    Session third(gameData().registry, gameData().parts, free);
+    BuildKeeper last(builds, "x");
+    EXPECT_EQ(last.restore(third), 1);
+    ASSERT_TRUE(third.putAllBack());
+    last.finish(third);
+    EXPECT_FALSE(fs::exists(builds.fileOf("x")));
+}
+
 TEST_F(KeptBuild, TheLastGoodOneIsThereForADamagedOne) {
     Placement const bar{"steel bar", {-1.8, 1.3}, 0.1, ""};
     {

@@ -88,7 +88,11 @@ void drawPicture(UiContext& context, CatalogEntry const& entry, ImVec2 low, ImVe
     auto& list = *ImGui::GetWindowDrawList();
     Size const size{static_cast<int>(high.x - low.x), static_cast<int>(high.y - low.y)};
     bool const seen = ImGui::IsRectVisible(low, high);
-    if (unsigned const texture = seen ? context.pictures.texture(entry, size) : 0; texture != 0) {
+    unsigned const texture = seen ? context.pictures.texture(entry, size) : 0;
+    if (auto const why = context.pictures.takeTrouble()) {
+        context.levels.noteTrouble(entry.id, *why);
+    }
+    if (texture != 0) {
         list.AddImage(reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(texture)), low, high, {0, 1},
                       {1, 0});
     } else {
@@ -116,7 +120,7 @@ bool drawLevelCard(UiContext& context, CatalogEntry const& entry, LevelCardOptio
     bool const hovered = ImGui::IsItemHovered();
     ImVec2 const low = ImGui::GetItemRectMin();
     ImVec2 const high = ImGui::GetItemRectMax();
-    bool const trouble = !entry.trouble.empty();
+    bool const trouble = !entry.trouble.empty(); // as far as it was known in the last picture
     auto& list = *ImGui::GetWindowDrawList();
     Colour const ground = hovered && !trouble ? mix(palette::paperLight, palette::accent, 0.12F)
                                               : mix(palette::paperLight, palette::paper, 0.35F);
@@ -149,7 +153,7 @@ bool drawLevelCard(UiContext& context, CatalogEntry const& entry, LevelCardOptio
     if (hovered) {
         showTip(entry, title, !lines.empty() && lines.back().ends_with("…"));
     }
-    return clicked && !trouble;
+    return clicked && entry.trouble.empty();
 }
 
 } // namespace trembler::ui

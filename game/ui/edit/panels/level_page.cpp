@@ -77,9 +77,9 @@ bool isUnlimited(Json const& tool, char const* key) {
 }
 
 /// A count from `least`, with a button that makes it unlimited, or a number again; `beside` is the width of
-/// the buttons that follow in pixels. Returns the new count.
-std::optional<int> countField(EditParts& parts, std::string const& item, double count, double least,
-                              bool unlimited, float beside) {
+/// the buttons that follow in pixels. `of` is the part, or wiresId. Returns the new count.
+std::optional<int> countField(EditParts& parts, std::string const& item, std::string const& of, double count,
+                              double least, bool unlimited, float beside) {
     float const gap = scaled(3);
     float const sign = ImGui::CalcTextSize("∞").x + 2 * ImGui::GetStyle().FramePadding.x;
     float const width = ImGui::GetContentRegionAvail().x - beside - sign - gap;
@@ -100,7 +100,13 @@ std::optional<int> countField(EditParts& parts, std::string const& item, double 
     if (smallButton(parts, "∞", item + " unlimited", unlimited ? words::limitedTip : words::unlimitedTip)) {
         // A change of its own: it does not go on with that of the field that was used before.
         parts.widget = {parts.document.newGesture(), edit::Gesture::Next::replaces};
-        wanted = unlimited ? 1 : unlimitedCount;
+        if (unlimited) {
+            auto const before = parts.limitedCounts.find(of);
+            wanted = before == parts.limitedCounts.end() ? 1 : before->second;
+        } else {
+            parts.limitedCounts[of] = std::max(static_cast<int>(count), 1);
+            wanted = unlimitedCount;
+        }
     }
     return wanted;
 }
@@ -108,7 +114,7 @@ std::optional<int> countField(EditParts& parts, std::string const& item, double 
 /// How many wires the player may lay; `beside` is the width of the buttons that follow in pixels.
 void drawWires(EditParts& parts, double count, bool unlimited, float beside) {
     fieldName(words::wiresField, words::wiresTip);
-    if (auto const wanted = countField(parts, "wires", count, 0, unlimited, beside)) {
+    if (auto const wanted = countField(parts, "wires", wiresId, count, 0, unlimited, beside)) {
         runWidget(
             parts, [&](Json const& level) { return edit::setWires(level, *wanted); }, true);
     }
@@ -126,8 +132,8 @@ void drawTool(EditParts& parts, Json const& tool, std::size_t index, float besid
     std::string const item = "tool " + std::to_string(index);
     std::string const part = textAt(tool, "part");
     fieldName(parts.catalog().titleOf(part), part);
-    if (auto const wanted =
-            countField(parts, item, numberAt(tool, "count", 1), 1, isUnlimited(tool, "count"), beside)) {
+    if (auto const wanted = countField(parts, item, part, numberAt(tool, "count", 1), 1,
+                                       isUnlimited(tool, "count"), beside)) {
         runWidget(
             parts, [&](Json const& level) { return edit::setToolCount(level, index, *wanted); }, true);
     }

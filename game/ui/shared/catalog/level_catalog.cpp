@@ -63,14 +63,9 @@ CatalogEntry entryFor(DataOfLevels& data, fs::path const& file, std::string id) 
         if (!level.title.empty()) {
             entry.title = level.title;
         }
-    } catch (InputError const& error) {
-        entry.trouble =
-            error.diagnostics().empty() ? shownError(error) : shownFault(error.diagnostics().front());
     } catch (std::exception const& error) {
-        entry.trouble = shownError(error);
+        entry.trouble = troubleFrom(error);
     }
-    constexpr std::size_t longest = 1000; // bytes
-    entry.trouble = cutText(std::move(entry.trouble), longest);
     return entry;
 }
 
@@ -122,6 +117,13 @@ Chapter describe(fs::path const& levels, std::string const& name) {
 }
 
 } // namespace
+
+std::string troubleFrom(std::exception const& error) {
+    constexpr std::size_t longest = 1000; // bytes
+    auto const* const input = dynamic_cast<InputError const*>(&error);
+    bool const fault = input != nullptr && !input->diagnostics().empty();
+    return cutText(fault ? shownFault(input->diagnostics().front()) : shownError(error), longest);
+}
 
 bool naturallyBefore(std::string_view a, std::string_view b) {
     std::size_t i = 0;
@@ -201,6 +203,16 @@ LevelCatalog::LevelCatalog(Registry const& registry, fs::path const& folder, Cat
         if (!group.levels.empty()) {
             groups_.push_back(std::move(group));
             ++ofMods_;
+        }
+    }
+}
+
+void LevelCatalog::noteTrouble(std::string const& id, std::string const& why) {
+    for (CatalogGroup& group : groups_) {
+        for (CatalogEntry& entry : group.levels) {
+            if (entry.id == id) {
+                entry.trouble = why;
+            }
         }
     }
 }

@@ -5,6 +5,7 @@
 #include "puzzle/data/game_data.hpp"
 #include "runtime/world/registry.hpp"
 
+#include <exception>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -50,7 +51,12 @@ struct CatalogMods {
     std::vector<std::filesystem::path> mods{}; ///< each the folder of a mod: its levels are listed, too
 };
 
+/// What an entry says of an error: its first fault, in the player's language, of limited length.
+[[nodiscard]] std::string troubleFrom(std::exception const& error);
+
 /// Reads all levels once, in the constructor. A faulty level never throws: it is listed with its trouble.
+/// Whether a world can be built from it takes longer: that is found when its picture is drawn, see
+/// noteTrouble().
 class LevelCatalog {
 public:
     LevelCatalog() = default;
@@ -71,6 +77,8 @@ public:
     /// of a gallery the same as after().
     [[nodiscard]] CatalogEntry const* next(CampaignProgress const& progress,
                                            std::filesystem::path const& file = {}) const;
+    /// To be called when it turns out that a level cannot be played.
+    void noteTrouble(std::string const& id, std::string const& why);
     /// Whether the file is a level of a gallery of demonstrations.
     [[nodiscard]] bool inGallery(std::filesystem::path const& file) const;
     /// Of all playable puzzles, demonstrations of galleries and levels of mods not among them.

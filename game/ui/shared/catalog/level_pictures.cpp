@@ -1,8 +1,9 @@
 #include "game/ui/shared/catalog/level_pictures.hpp"
 
 #include "game/ui/shared/catalog/small_scene.hpp"
-#include "puzzle/session/session.hpp"
+#include "puzzle/checks/checked_level.hpp"
 #include "render/draw/palette.hpp"
+#include "runtime/level/json/diagnostic.hpp"
 #include "runtime/level/read/read_level.hpp"
 
 #include <algorithm>
@@ -21,8 +22,9 @@ LevelPictures::LevelPictures(Registry const& registry, PartLibrary const& parts,
 void LevelPictures::drawInto(Framebuffer const& target, CatalogEntry const& level) {
     auto const data = data_ ? data_(level.file) : nullptr;
     Registry const& registry = data ? data->registry : registry_;
-    Session const session(registry, data ? data->parts : parts_, loadLevel(registry, level.file));
-    drawSmallScene(canvas_, target, session.world());
+    LevelFile const file = loadLevel(registry, level.file);
+    BuiltLevel const built = checkPlayable(registry, data ? data->parts : parts_, file);
+    drawSmallScene(canvas_, target, *built.world);
 }
 
 unsigned LevelPictures::texture(CatalogEntry const& level, Size size) {
@@ -48,7 +50,10 @@ unsigned LevelPictures::texture(CatalogEntry const& level, Size size) {
     try {
         picture.target = std::make_unique<Framebuffer>(size);
         drawInto(*picture.target, level);
-    } catch (std::exception const&) { // reported when the level is opened
+    } catch (InputError const& error) {
+        trouble_ = troubleFrom(error);
+        picture.target.reset();
+    } catch (std::exception const&) { // it cannot be drawn here; it may be playable all the same
         picture.target.reset();
     }
     return picture.target == nullptr ? 0 : picture.target->texture();

@@ -10,7 +10,9 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 
 namespace trembler::ui {
 
@@ -31,6 +33,8 @@ public:
     /// An OpenGL texture of the level, `size` pixels; 0 while there is none: it has not been drawn yet, or
     /// it cannot be. Draws into a framebuffer of its own: the caller binds its target again afterwards.
     [[nodiscard]] unsigned texture(CatalogEntry const& level, render::Size size);
+    /// Why the level that texture() was asked for last cannot be played, if that has just turned out.
+    [[nodiscard]] std::optional<std::string> takeTrouble() { return std::exchange(trouble_, {}); }
     [[nodiscard]] std::size_t kept() const { return pictures_.size(); }
     /// Whether a picture that was asked for has not been drawn yet.
     [[nodiscard]] bool waiting() const { return waiting_; }
@@ -53,6 +57,7 @@ private:
     std::map<std::string, Picture> pictures_; // by level id
     std::size_t mostKept_;
     std::uint64_t asked_ = 0; // counts requests
+    std::optional<std::string> trouble_;
     bool mayDraw_ = true;
     bool waiting_ = false;
 };

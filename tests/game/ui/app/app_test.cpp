@@ -2,6 +2,7 @@
 #include "game/ui/app/play.hpp"
 #include "game/ui/headless/screenshot.hpp"
 #include "game/ui/shared/words.hpp"
+#include "puzzle/checks/checked_level.hpp"
 #include "runtime/level/read/read_level.hpp"
 #include "tests/game/ui/player.hpp"
 #include "tests/support/read_png.hpp"
@@ -275,6 +276,43 @@ TEST(Program, ALevelWhoseModIsMissingOrBrokenOpensTheWindowWithTheReason) {
     for (CatalogEntry const& entry : player.app().context().levels.groups()[0].levels) {
         EXPECT_FALSE(entry.trouble.empty()) << entry.id;
     }
+}
+
+// A file in the right form whose goals or task cannot be: found when the card's picture is drawn, by the
+// check that opens the level, too.
+TEST(Program, ACardSaysWhyItsLevelCannotBePlayed) {
+    auto const folder = freshFolder("unplayable");
+    std::string const ball = R"("objects": [{"name": "ball", "part": "rubber ball", "at": [0, 1]}],)";
+    std::string const head = R"({"version": 2, "title": "T", "world": {"gravity": [0, -9.81]},)";
+    std::ofstream(folder / "1-goal.json")
+        << head << ball << R"("goals": {"moved": {"object": "bull", "by": 1}}})";
+    std::ofstream(folder / "2-task.json")
+        << head << ball << R"("demonstration": true, "goals": {"moved": {"object": "ball", "by": 1}},
+                              "task": {"moved": {"object": "bull", "by": 1}}})";
+    std::ofstream(folder / "3-world.json")
+        << head << R"("objects": [{"name": "ball", "part": "no such part", "at": [0, 1]}]})";
+    std::filesystem::copy(firstContact, folder / "4-good.json");
+    Player player({1280, 720}, {}, folder);
+    player.clickItem("levels");
+    player.frames(10);
+    player.look("levels-unplayable");
+    for (char const* const level : {"1-goal.json", "2-task.json", "3-world.json"}) {
+        CatalogEntry const* const entry = player.app().context().levels.find(folder / level);
+        ASSERT_NE(entry, nullptr) << level;
+        std::string why;
+        try {
+            static_cast<void>(loadPlayable(gameData().registry, gameData().parts, folder / level));
+        } catch (InputError const& error) {
+            why = error.diagnostics().front().print();
+        }
+        ASSERT_FALSE(why.empty()) << level;
+        EXPECT_EQ(entry->trouble, why);
+        player.clickItem(std::string("level ") + level);
+        EXPECT_EQ(player.findPlay(), nullptr) << level;
+    }
+    EXPECT_EQ(player.app().context().levels.find(folder / "4-good.json")->trouble, "");
+    player.clickItem("level 4-good.json");
+    EXPECT_NE(player.findPlay(), nullptr);
 }
 
 TEST(Program, OfTooManyLevelsTheFirstAreListed) {

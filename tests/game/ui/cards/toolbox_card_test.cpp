@@ -5,8 +5,11 @@
 #include "render/window/gamepad.hpp"
 #include "tests/game/ui/drawn_words.hpp"
 #include "tests/game/ui/player.hpp"
+#include "tests/game/ui/tidy.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <set>
 
 namespace trembler::ui::test {
 namespace toolbox_card_test {
@@ -32,6 +35,17 @@ bool lit(Player& who) {
     return on;
 }
 
+std::vector<Placed> wholeTiles(Player& who) {
+    std::vector<Placed> all;
+    for (Placed const& item : who.layout().items()) {
+        if (item.name.starts_with("part ") && item.overflow < 0.5 && item.rect.low.y >= 0 &&
+            item.rect.high.y <= window().size().height) {
+            all.push_back(item);
+        }
+    }
+    return all;
+}
+
 class FreePlay : public testing::Test {
 protected:
     explicit FreePlay(render::Size size = {1280, 800}) : player(size) { enter(player); }
@@ -46,14 +60,11 @@ protected:
         player.frames(2);
         type(name);
     }
-    /// The parts whose tiles lie wholly in the window.
+    /// The parts whose tiles are wholly in sight.
     [[nodiscard]] std::vector<std::string> tiles() {
         std::vector<std::string> all;
-        for (Placed const& item : player.layout().items()) {
-            if (item.name.starts_with("part ") && item.rect.low.y >= 0 &&
-                item.rect.high.y <= window().size().height) {
-                all.push_back(item.name.substr(5));
-            }
+        for (Placed const& item : wholeTiles(player)) {
+            all.push_back(item.name.substr(5));
         }
         return all;
     }
@@ -264,17 +275,84 @@ TEST_F(FreePlay, NothingIsRefusedWithoutAReason) {
     EXPECT_EQ(player.app().context().toasts.count(), before) << "once";
 }
 
+struct Room {
+    render::Size size;
+    float letters;
+    std::size_t rows; ///< of tiles that are at least wholly in sight
+};
+
+TEST(FreePlayTiles, AreInSightInSeveralRowsWhateverTheWindowAndTheLetters) {
+    for (Room const& room : {Room{{800, 600}, 1, 3}, Room{{800, 600}, 1.6F, 3}, Room{{1280, 720}, 1, 3},
+                             Room{{1280, 720}, 1.6F, 2}, Room{{1280, 800}, 1, 3}, Room{{1280, 800}, 1.6F, 2},
+                             Room{{1920, 1080}, 1.6F, 2}}) {
+        for (char const* const language : {"en", "de"}) {
+            Player player(room.size);
+            changeSettings(player.app().context(), {.uiScale = room.letters, .language = language});
+            enter(player);
+            std::string const where = std::to_string(room.size.width) + "x" +
+                                      std::to_string(room.size.height) + " at " +
+                                      std::to_string(room.letters) + " in " + language;
+            std::set<double> rows;
+            std::set<double> columns;
+            for (Placed const& tile : wholeTiles(player)) {
+                rows.insert(std::round(tile.rect.low.y));
+                columns.insert(std::round(tile.rect.low.x));
+                EXPECT_GE(tile.rect.high.x - tile.rect.low.x, 60 * window().uiScale()) << where;
+            }
+            EXPECT_GE(rows.size(), room.rows) << where;
+            EXPECT_GE(columns.size(), 2U) << where;
+            expectTidy(player, where);
+            player.look("free-play-tiles-" + std::to_string(room.size.width) + "-" +
+                        std::to_string(static_cast<int>(100 * room.letters)) + language);
+        }
+    }
+    window().setUiScaleRequest(1.F);
+    useLanguage("en");
+}
+
 class SmallFreePlay : public FreePlay {
 protected:
     SmallFreePlay() : FreePlay({800, 600}) {}
 };
 
 TEST_F(SmallFreePlay, HasRoomForTiles) {
-    EXPECT_GE(tiles().size(), 4U);
+    EXPECT_GE(tiles().size(), 6U);
     player.look("free-play-600");
     changeSettings(player.app().context(), {.language = "de"});
     player.frames(6);
     player.look("free-play-600-german");
+}
+
+// One button stands for the groups; it shows them in place of the tiles.
+TEST_F(SmallFreePlay, OffersItsGroupsAsAList) {
+    EXPECT_FALSE(player.shows("group electricity"));
+    player.clickItem("groups");
+    player.frames(2);
+    EXPECT_TRUE(tiles().empty());
+    EXPECT_TRUE(player.shows("group all"));
+    player.look("free-play-600-groups");
+    player.clickItem("groups");
+    player.frames(2);
+    EXPECT_FALSE(tiles().empty()) << "pressed again it shows the tiles";
+    player.clickItem("groups");
+    player.frames(2);
+    player.clickItem("group electricity");
+    player.frames(2);
+    auto const shown = player.play().tools();
+    EXPECT_LT(shown.size(), player.session().toolbox().size());
+    EXPECT_TRUE(
+        std::any_of(shown.begin(), shown.end(), [](ToolboxSlot const& slot) { return slot.part == "lamp"; }));
+    EXPECT_FALSE(tiles().empty());
+    player.clickItem("groups");
+    player.frames(2);
+    player.key(SDLK_s);
+    player.frames(2);
+    EXPECT_FALSE(tiles().empty()) << "the next group by its key";
+    player.clickItem("groups");
+    player.frames(2);
+    seek("lamp");
+    auto const found = tiles();
+    EXPECT_EQ(std::count(found.begin(), found.end(), "lamp"), 1) << "and what is sought";
 }
 
 } // namespace

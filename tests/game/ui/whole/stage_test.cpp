@@ -41,6 +41,20 @@ std::string sized(render::Size size) {
     return std::to_string(size.width) + "x" + std::to_string(size.height);
 }
 
+/// In place of a level's file.
+std::filesystem::path const freePlay = "free play";
+
+void enter(Player& player, std::filesystem::path const& level) {
+    if (level == freePlay) {
+        player.app().showTitle();
+        player.frames(3);
+        player.clickItem("free play");
+        player.frames(4);
+    } else {
+        player.open(level);
+    }
+}
+
 struct View {
     Point centre;
     double scale = 0;
@@ -98,8 +112,8 @@ TEST(Stage, IsSevenTenthsOfTheWindowsWidthAndNoCardCoversTheLevel) {
                 changeSettings(player.app().context(),
                                {.uiScale = letters, .reducedMotion = true, .language = language});
                 for (auto const& level :
-                     {firstContact, ferry, levelsFolder() / "experiments/3-electric-motor.json"}) {
-                    player.open(level);
+                     {firstContact, ferry, levelsFolder() / "experiments/3-electric-motor.json", freePlay}) {
+                    enter(player, level);
                     player.frames(4);
                     std::string const where = level.filename().string() + " at " + sized(size) + " in " +
                                               language + ", letters " + std::to_string(letters);
@@ -476,9 +490,10 @@ TEST(Stage, IsMovedOnlyByThePlayerInRandomSessions) {
         changeSettings(player.app().context(), {.reducedMotion = true, .language = "en"});
         for (std::size_t i = s; i < count; i += stageSizes.size()) {
             std::mt19937_64 choice(i);
-            auto const& level = levels[choice() % levels.size()];
+            bool const free = i % 7 == 3; // at each of the sizes in turn
+            auto const& level = free ? freePlay : levels[choice() % levels.size()];
             resizeWindow(player, stageSizes[s]);
-            player.open(level);
+            enter(player, level);
             player.frames(4);
             std::string const where =
                 level.string() + " at " + sized(stageSizes[s]) + ", session " + std::to_string(i);

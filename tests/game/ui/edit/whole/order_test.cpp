@@ -113,6 +113,42 @@ TEST(EditorOrder, TheNumberOfWiresIsDraggedFromNone) {
     EXPECT_EQ(designer.parts().document.text(), before) << "one change";
 }
 
+TEST(EditorOrder, ANumberWithoutEndIsTheNumberBeforeAgain) {
+    Designer designer;
+    designer.editText(orderedLevel);
+    std::string const before = designer.parts().document.text();
+    designer.key(SDLK_F6);
+    designer.frames(3);
+    auto const press = [&](char const* item) {
+        designer.seek(item);
+        designer.clickItem(item);
+        designer.frames(2);
+    };
+    auto const countsOf = [&] {
+        return designer.tree()["toolbox"][0]["count"].dump() + " " +
+               designer.tree()["toolbox"][1]["wire"].dump();
+    };
+    press("tool 0 unlimited");
+    press("wires unlimited");
+    EXPECT_EQ(countsOf(), R"("unlimited" "unlimited")");
+    press("wires unlimited");
+    press("tool 0 unlimited");
+    EXPECT_EQ(countsOf(), "2 3");
+    EXPECT_EQ(designer.parts().document.text(), before);
+    // Also where the entry has moved meanwhile.
+    press("tool 0 unlimited");
+    press("tool 0 down");
+    press("tool 1 unlimited");
+    EXPECT_EQ(designer.tree()["toolbox"][1]["count"].dump(), "2");
+    // One that was unlimited in the file has no number before.
+    std::string level = orderedLevel;
+    level.replace(level.find("\"count\": 2"), 10, "\"count\": \"unlimited\"");
+    designer.editText(level);
+    designer.frames(3);
+    press("tool 0 unlimited");
+    EXPECT_EQ(designer.tree()["toolbox"][0]["count"].dump(), "1");
+}
+
 TEST(EditorOrder, OfSolutionsBesideUnreadableOnes) {
     Designer designer;
     std::string level = orderedLevel;
