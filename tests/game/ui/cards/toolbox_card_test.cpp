@@ -46,12 +46,14 @@ protected:
         player.frames(2);
         type(name);
     }
-    /// The parts whose tiles lie wholly in the window.
+    /// The parts whose tiles are wholly in sight: a tile is a square above its name, and the layout has as
+    /// much of it as the list does not cut off.
     [[nodiscard]] std::vector<std::string> tiles() {
+        double const name = 24 * static_cast<double>(window().uiScale());
         std::vector<std::string> all;
         for (Placed const& item : player.layout().items()) {
-            if (item.name.starts_with("part ") && item.rect.low.y >= 0 &&
-                item.rect.high.y <= window().size().height) {
+            Point const size = item.rect.high - item.rect.low;
+            if (item.name.starts_with("part ") && size.y >= size.x + name - 1) {
                 all.push_back(item.name.substr(5));
             }
         }
