@@ -29,7 +29,7 @@ inline constexpr std::array<std::string_view, 8> choiceNames<LookForm>{"own",   
 struct DrawnAs {
     static constexpr PropertyKind kind = PropertyKind::object;
     static constexpr PropertyText text{"Form of drawing", "look_form",
-                                       "The symbol by which the object is drawn, where it must not follow "
+                                       "The symbol by which the object is drawn, where it should not follow "
                                        "from its other properties. It has no other consequences."};
     LookForm form = LookForm::own;
 

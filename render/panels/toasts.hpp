@@ -28,7 +28,10 @@ public:
     [[nodiscard]] std::size_t count() const { return toasts_.size(); }
     /// The text of the newest toast that is shown; "" if there is none.
     [[nodiscard]] std::string newest() const { return toasts_.empty() ? std::string() : toasts_.back().text; }
-    /// How many toasts have reported trouble so far.
+    /// Trouble whose reason is on the screen already, beside what it is about: it is counted, so that it is
+    /// heard, but not said again.
+    void countTrouble() { ++troubles_; }
+    /// How much trouble has been reported so far, in toasts or by countTrouble().
     [[nodiscard]] std::uint64_t troubles() const { return troubles_; }
 
 private:

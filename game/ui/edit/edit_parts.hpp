@@ -64,6 +64,23 @@ struct InspectedSelection {
     bool known = false;
 };
 
+/// What the objects depend on that a wire or a joint could begin at or go to.
+struct JoinablesOf {
+    std::uint64_t world = 0; ///< EditedWorld::builds()
+    std::uint64_t revision = 0;
+    Tool tool = Tool::select;
+    std::string jointForm;
+    ObjectId from;
+    render::Point lower; ///< of the view, m
+    render::Point upper;
+
+    bool operator==(JoinablesOf const&) const = default;
+};
+struct Joinables {
+    std::optional<JoinablesOf> of; ///< nothing: not looked for yet
+    std::vector<ObjectId> objects;
+};
+
 /// The entries of recorded solutions that the page of solutions shows.
 struct ShownEntries {
     std::string solution;                     ///< whose entries are shown; empty: none
@@ -108,6 +125,7 @@ struct EditParts {
     std::optional<Tab> panelHadKeys; ///< the page that had it in the last picture
     std::string searched;            ///< in the catalogue of parts
     mutable AboutSelection about;    ///< see edit_geometry.hpp
+    mutable Joinables joinables;     ///< see join_ends.hpp
     InspectedSelection inspected;    ///< of the page of properties
     std::string goalPlace;           ///< of the chosen condition
     bool goalChosen = false;

@@ -4,6 +4,7 @@
 #include "game/ui/edit/commands/edit_commands.hpp"
 #include "game/ui/edit/edit_words.hpp"
 #include "game/ui/edit/panels/bars.hpp"
+#include "game/ui/edit/panels/palette_entries.hpp"
 #include "game/ui/edit/panels/side_panel.hpp"
 #include "game/ui/edit/study/level_studies.hpp"
 #include "game/ui/edit/view/edit_drawing.hpp"
@@ -156,7 +157,11 @@ void EditScreen::drawDialogs() {
             parts_.giveUpLeaving();
         }
     } else if (parts_.palette.isOpen()) {
-        if (auto const chosen = parts_.palette.draw(context, commands_)) {
+        std::vector<PaletteEntry> const others = partsAndJoints(parts_);
+        auto const chosen = parts_.palette.draw(context, commands_, others);
+        if (chosen && *chosen >= commands_.size()) {
+            takeFound(parts_, others[*chosen - commands_.size()]);
+        } else if (chosen) {
             commands_.run(*chosen);
         }
     } else {

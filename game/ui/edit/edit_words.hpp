@@ -107,7 +107,9 @@ inline char const* const& addProperty = editWord("Add a property …");
 inline char const* const& resetTip = editWord("Back to the value of the part");
 inline char const* const& removeTip = editWord("Without it");
 
-inline char const* const& commandsTitle = editWord("All commands");
+inline char const* const& commandsTitle = editWord("Commands, parts and joints");
+inline char const* const& nothingCalled = editWord("Nothing is called that.");
+inline char const* const& jointKind = editWord("Joint");
 
 inline char const* const& lockedMark = editWord("  (locked)");
 inline char const* const& hiddenMark = editWord("  (hidden)");
@@ -202,6 +204,7 @@ inline char const* const& hintsHeading = editWord("Hints");
 inline char const* const& addHint = editWord("Add a hint");
 inline char const* const& newHint = editWord("A hint");
 inline char const* const& toolboxHeading = editWord("Toolbox");
+inline char const* const& addTool = editWord("Add a part …");
 inline char const* const& addToolTip = editWord("Add a part to the player's toolbox");
 inline char const* const& wiresField = editWord("Wires");
 inline char const* const& anyNumber = editWord("any number");
@@ -209,6 +212,7 @@ inline char const* const& unlimitedTip = editWord("Any number, without a limit")
 inline char const* const& limitedTip = editWord("A certain number again");
 inline char const* const& wiresTip = editWord("How many wires the player may lay");
 inline char const* const& teachingHeading = editWord("Teaching");
+inline char const* const& addStep = editWord("Add a step …");
 inline char const* const& addStepTip = editWord("Add a step of what a beginner is shown");
 inline char const* const& stepNeedsPart = editWord("Put a part into the toolbox first.");
 inline char const* const& stepNeedsObjects = editWord("There are not enough objects for this step.");

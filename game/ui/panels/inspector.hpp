@@ -51,6 +51,8 @@ public:
     /// The object that is shown, in the session's world as it is now; an invalid id if the card is closed or
     /// the object is not there.
     [[nodiscard]] ObjectId object(Session const& session) const;
+    /// What is shown, in all worlds of the session; nothing: the card is closed.
+    [[nodiscard]] std::optional<LastingObject> const& subject() const { return subject_; }
     /// The name that it has, or had last, while the card is open.
     [[nodiscard]] std::string const& name() const { return name_; }
 

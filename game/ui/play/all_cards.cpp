@@ -52,6 +52,11 @@ struct Beside {
     float right = cardGap; ///< of the inspector and of the card that says why, see SidePlace
 };
 
+/// Whether the card of plots or of what-if is open.
+bool worksOnPast(PlayParts const& parts) {
+    return parts.timeline.shown() && (parts.timeline.probes().choosing() || parts.whatIf->active());
+}
+
 /// Whether the inspector would lie over the very object that it is about.
 bool coversItsObject(PlayParts const& parts, float width, float right) {
     World const& world = parts.session.world();
@@ -65,10 +70,20 @@ bool coversItsObject(PlayParts const& parts, float width, float right) {
     return x < edge && x > edge - static_cast<double>(inspectorWidth);
 }
 
+/// Whether the inspector has opened at the left. `mayBeLeft`: there is room now.
+bool inspectorAtLeft(PlayParts& parts, bool mayBeLeft, float width, float right) {
+    InspectorSide& side = parts.inspectorSide;
+    render::Size const window = parts.context.window.size();
+    if (side.of != parts.inspector.subject() || side.window != window) {
+        side = {parts.inspector.subject(), window, mayBeLeft && coversItsObject(parts, width, right)};
+    }
+    return side.left;
+}
+
 /// In a small window a panel takes the place of the goal or the toolbox, and is hidden behind cards that the
 /// player must see or has opened later. The toolbox keeps its place while something is built: what is
 /// inspected or explained stands beside it.
-Beside cardsBeside(PlayParts const& parts) {
+Beside cardsBeside(PlayParts& parts) {
     render::Window const& window = parts.context.window;
     float const width = static_cast<float>(window.size().width) / window.uiScale();
     float const height = static_cast<float>(window.size().height) / window.uiScale();
@@ -86,8 +101,8 @@ Beside cardsBeside(PlayParts const& parts) {
     beside.goal = !beside.panels || height >= leastForGoalAndPanel;
     beside.toolbox = building && (!beside.panels || width >= panelsWidth + box + 2 * cardGap);
     beside.right = beside.toolbox ? cardGap + box : cardGap;
-    bool const left =
-        building && !beside.panels && !parts.why.open() && coversItsObject(parts, width, beside.right);
+    bool const leftIsFree = !beside.panels && !parts.why.open() && !worksOnPast(parts);
+    bool const left = inspectorAtLeft(parts, building && leftIsFree, width, beside.right) && leftIsFree;
     beside.right = left ? width - cardGap - inspectorWidth : beside.right;
     bool const holds = parts.placing.carried() || parts.group.dragging();
     float const roomForHints = 2 * cardGap + goalCardWidth + (inspects ? inspectorWidth + beside.right : 0);
@@ -237,6 +252,8 @@ SuccessLook successLook(PlayParts const& parts) {
         look.next = text("success.gallery");
     } else if (after == AfterLevel::levels) {
         look.next = text("success.levels");
+    } else if (after == AfterLevel::editor) {
+        look.next = text("success.editor");
     }
     return look;
 }
@@ -307,8 +324,7 @@ std::optional<std::size_t> drawPlayCards(PlayParts& parts, CommandSet const& com
     parts.hintsFolded = parts.hintsFolded || !parts.run.building();
     parts.goalAside = goalInTheWay(parts);
     Beside const beside = cardsBeside(parts);
-    bool const choosing =
-        parts.timeline.shown() && (parts.timeline.probes().choosing() || parts.whatIf->active());
+    bool const choosing = worksOnPast(parts);
     bool const goal =
         beside.goal && !parts.goalAside && !(choosing && beside.narrow); // the card of plots takes its room
     parts.hintsHidden = parts.run.building() && parts.hintsShown > 0 && !parts.hintsFolded &&

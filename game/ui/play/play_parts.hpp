@@ -44,6 +44,14 @@ namespace trembler::ui {
 class WhatIfTool;
 class WhatIfView;
 
+/// The side on which the inspector has opened: it stays there while it shows that object in a window of that
+/// size, wherever the view is moved.
+struct InspectorSide {
+    std::optional<LastingObject> of; ///< nothing: it is closed
+    render::Size window;
+    bool left = false;
+};
+
 /// Each part keeps its own state, which is not copied; here is only state that concerns several parts. Window
 /// thread only; the context must outlive it.
 struct PlayParts {
@@ -109,7 +117,9 @@ struct PlayParts {
     bool hintsFolded = false;      ///< none is shown at present
     bool hintsHidden = false;      ///< other cards have left no room for the one that would be shown
     std::optional<bool> storyOpen; ///< the player's choice, see GoalCardLook
-    bool fitWanted = false;        ///< the view is to show everything beside all cards, see FittedView
+    InspectorSide inspectorSide;
+    bool fitWanted = false; ///< the view is to show everything beside all cards, see FittedView
+    bool testPlay = false;  ///< of a level that is being edited
     float besideCorner = 0; ///< width of what else stands beside the buttons in the corner, at UI scale 1
     Pointer pointer;        ///< of this picture
     std::optional<ScreenRequest> request; ///< the request of this picture to the program

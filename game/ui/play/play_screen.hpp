@@ -37,6 +37,8 @@ public:
 
     [[nodiscard]] Session const& session() const { return parts_.session; }
     [[nodiscard]] Session& session() { return parts_.session; }
+    /// The level is being edited: what leads on leads back to the editor.
+    void beTestPlay() { parts_.testPlay = true; }
     /// Keeps room for another card at the left of the buttons in the corner, of this width and the gap beside
     /// it, pixels at UI scale 1.
     void keepBesideCorner(float width) { parts_.besideCorner = width; }

@@ -147,19 +147,23 @@ void GroupTool::drop(Pointer const& pointer) {
     press_.reset();
     if (pointer.overToolbox) {
         putBack();
-    } else if (!pointer.overCard && place(landings_)) {
+    } else if (pointer.overCard) {
+        return; // they stay in the hand, and follow the mouse until the next click
+    } else if (verdict_.ok) {
+        session_.moveAll(landings_);
         landings_.clear();
-    } // else they stay in the hand, and follow the mouse until the next click
+    } else { // they stay there, too, and the reason is shown beside them
+        toasts_.countTrouble();
+    }
 }
 
-bool GroupTool::place(std::vector<PlacedPart> const& wanted) {
+void GroupTool::place(std::vector<PlacedPart> const& wanted) {
     Verdict const verdict = session_.checkAll(wanted);
     if (!verdict.ok) {
         toasts_.add(words::capital(translated(verdict.why)), render::ToastKind::Trouble, groupReasonTime);
     } else {
         session_.moveAll(wanted);
     }
-    return verdict.ok;
 }
 
 /// The parts are in the hand without a button held, as they could not be left where it was released.

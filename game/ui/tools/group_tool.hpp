@@ -67,8 +67,8 @@ private:
     bool updateBox(Pointer const& pointer);
     bool updatePress(Pointer const& pointer);
     void settle(std::vector<PlacedPart> wanted);
-    /// False, and a message with the reason, if they may not go there.
-    bool place(std::vector<PlacedPart> const& wanted);
+    /// Moves them there, or says in a message why they may not go there.
+    void place(std::vector<PlacedPart> const& wanted);
     bool updateDragged(Pointer const& pointer);
     [[nodiscard]] std::vector<PlacedPart> parts() const;
     [[nodiscard]] std::vector<PlacedPart> turned(std::vector<PlacedPart> parts, double by) const;

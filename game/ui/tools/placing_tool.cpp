@@ -115,15 +115,13 @@ void PlacingTool::follow(Pointer const& pointer) {
     settle(wanted, pointer.free ? 0 : 14 * pointer.pixel);
 }
 
-void PlacingTool::drop(bool dragged) {
+void PlacingTool::drop() {
     if (!carried_->verdict.ok) {
-        // The part stays in the hand, which shows the reason, and follows the mouse until the next click.
-        // Only one that was turned by its handle turns back.
-        if (dragged) {
+        if (carried_->turning) { // it turns back, and the reason beside it goes
             toasts_.add(words::capital(translated(carried_->verdict.why)), render::ToastKind::Trouble, 2.5);
-        }
-        if (carried_->turning) {
             carried_.reset();
+        } else { // it stays in the hand, which shows the reason, and follows the mouse until the next click
+            toasts_.countTrouble();
         }
         return;
     }
@@ -165,11 +163,11 @@ void PlacingTool::updateCarried(Pointer const& pointer) {
         carried_->dragging = false;
         bool const clicked = !strayed && !carried_->number && pointer.overToolbox;
         if (carried_->turning) {
-            drop(true);
+            drop();
         } else if (pointer.overToolbox && !clicked) {
             putBack();
         } else if (!pointer.overCard) {
-            drop(true);
+            drop();
         } // else it was a click on the tile: the part follows the mouse until the next click
         return;
     }
@@ -177,7 +175,7 @@ void PlacingTool::updateCarried(Pointer const& pointer) {
         if (pointer.overToolbox) {
             putBack();
         } else if (!pointer.overCard) {
-            drop(false);
+            drop();
         }
     }
 }

@@ -72,8 +72,7 @@ private:
 
     void follow(Pointer const& pointer);
     void settle(Placement const& wanted, double reach);
-    /// `dragged`: the button was held since the part was taken.
-    void drop(bool dragged);
+    void drop();
     void pickUp(int number, Vec2 grip, Pointer const& pointer);
     void updateCarried(Pointer const& pointer);
     void updateFree(Pointer const& pointer, std::optional<int> hovered, bool onHandle);

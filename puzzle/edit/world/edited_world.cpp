@@ -37,6 +37,7 @@ std::size_t leaveOut(LevelFile& level, std::vector<Diagnostic> const& faults) {
 
 void EditedWorld::build(GameData const& data, LevelFile const& level, Json const& tree) {
     LevelFile reduced = level;
+    ++builds_;
     displacement_.reset();
     // The sections of a level that do not become part of the world: faults in these do not prevent building
     // it.

@@ -6,6 +6,7 @@
 #include "runtime/level/build/build_world.hpp"
 #include "runtime/level/model/level.hpp"
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
@@ -41,6 +42,8 @@ public:
     /// Which of objectsOf() its entry an object is: the index in PartStatements::pieces() of the entry's
     /// part, if that is a composite. The object must have an entry.
     [[nodiscard]] std::size_t pieceOf(ObjectId object) const;
+    /// Another number whenever another world was built: ids of objects are those of one world.
+    [[nodiscard]] std::uint64_t builds() const { return builds_; }
     /// How many entries could not be built.
     [[nodiscard]] std::size_t leftOut() const { return leftOut_; }
 
@@ -49,6 +52,7 @@ private:
 
     std::unique_ptr<World> world_;
     std::size_t leftOut_ = 0;
+    std::uint64_t builds_ = 0;
     std::optional<Displacement> displacement_;
     std::vector<std::vector<ObjectId>> objects_; // by number of their origin
     std::vector<std::string> entries_;           // their names, likewise

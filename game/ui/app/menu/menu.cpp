@@ -71,10 +71,13 @@ void Menu::back() {
 std::optional<ScreenRequest> Menu::drawMain(UiContext& context, Screen& behind) {
     std::optional<ScreenRequest> asked;
     Layout& layout = context.layout;
-    layout.beginCard("menu", text("menu.paused"), {.anchor = Anchor::Middle, .width = menuWidth});
+    bool const played = behind.commands().has("restart"); // else a level is edited: nothing was paused
+    layout.beginCard("menu", text(played ? "menu.paused" : "menu.of_editor"),
+                     {.anchor = Anchor::Middle, .width = menuWidth});
     ImGui::Dummy({0, scaled(4)});
-    bool const resume = wide(context, "menu.resume", Icon::Play, ButtonLook::Primary);
-    bool const restart = behind.commands().has("restart") && wide(context, "menu.restart", Icon::Repeat);
+    bool const resume = played ? wide(context, "menu.resume", Icon::Play, ButtonLook::Primary)
+                               : wide(context, "menu.edit_on", Icon::Back, ButtonLook::Primary);
+    bool const restart = played && wide(context, "menu.restart", Icon::Repeat);
     if (behind.loadableSolutions() != nullptr && wide(context, "menu.solutions", Icon::Save)) {
         pages_.push_back(MenuPage::solutions);
     }

@@ -6,6 +6,7 @@
 #include "puzzle/edit/commands/editor_state.hpp"
 #include "puzzle/edit/commands/goals.hpp"
 #include "puzzle/edit/commands/objects.hpp"
+#include "puzzle/edit/commands/rotate_on_grid.hpp"
 #include "puzzle/edit/tree/extent.hpp"
 
 #include <utility>
@@ -103,9 +104,13 @@ void rotate(EditParts& parts, int steps) {
     double const degrees =
         parts.context.shiftHeld() ? 1 : (parts.snapping.on ? parts.snapping.angleDegrees : 15);
     Vec2 const centre = middleOfSelection(parts);
-    parts.run([&](Json const& level) {
-        return edit::rotateObjects(*parts.data, level, parts.selected(), steps * degrees, centre);
-    });
+    parts.run([&](Json const& level) { return rotation(parts, level, steps * degrees, centre); });
+}
+
+edit::Command rotation(EditParts const& parts, Json const& level, double degrees, Vec2 centre) {
+    return parts.snapping.on ? edit::rotateOnGrid(*parts.data, level, parts.selected(), degrees, centre,
+                                                  parts.snapping.grid)
+                             : edit::rotateObjects(*parts.data, level, parts.selected(), degrees, centre);
 }
 
 void resize(EditParts& parts, double factor) {

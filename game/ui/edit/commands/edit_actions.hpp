@@ -80,6 +80,9 @@ void makePart(EditParts& parts, std::string const& name, bool putHere);
 // Arranging.
 void move(EditParts& parts, Vec2 steps);
 void rotate(EditParts& parts, int steps);
+/// Turns the selected objects; corners on the grid stay on it, unless snapping is off.
+[[nodiscard]] edit::Command rotation(EditParts const& parts, edit::Json const& level, double degrees,
+                                     Vec2 centre);
 void resize(EditParts& parts, double factor);
 void mirrorAcross(EditParts& parts);
 void mirrorDown(EditParts& parts);

@@ -57,7 +57,7 @@ constexpr Command<EditParts> editFileMenu[] = {
               .icon = Icon::Script,
               .group = CommandGroup::editing,
               .name = "All commands",
-              .tip = "Find any command by its name",
+              .tip = "Find any command, part or kind of joint by its name",
               .help = "find any command"},
      .run = actions::showPalette},
     {.info = {.id = "edit-menu",

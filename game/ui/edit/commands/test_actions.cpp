@@ -34,6 +34,7 @@ std::unique_ptr<PlayScreen> playScreenFor(EditParts& parts) {
         parts.goals.begin(level, std::move(places));
         auto screen =
             std::make_unique<PlayScreen>(parts.context, name, parts.data, parts.options.world, &level);
+        screen->beTestPlay();
         screen->updateBehindMenu(0); // it is drawn before its first update
         return screen;
     } catch (InputError const& error) {

@@ -13,6 +13,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstdint>
 
 namespace trembler::ui {
 namespace {
@@ -23,6 +25,7 @@ constexpr std::size_t longList = 9;      // entries, from which on letters narro
 constexpr std::size_t longestTyped = 60; // bytes
 constexpr double forgetAfter = 1;        // s without a letter, in a short list
 constexpr std::size_t pageOfEntries = 10;
+constexpr float pictureSide = 28; // pixels at UI scale 1, of a part
 
 bool isPrintable(SDL_Keycode key) {
     return !isPadKey(key) && key > SDLK_SPACE && key < SDLK_DELETE;
@@ -57,7 +60,33 @@ void drawSearched(std::string const& typed, bool none) {
     ImGui::Separator();
 }
 
+/// Whether it was chosen.
+bool drawEntry(EditParts& parts, DropDown::Entry const& entry, bool marked) {
+    if (entry.part.empty()) {
+        return ImGui::Selectable((entry.shown + "##" + entry.id).c_str(), marked);
+    }
+    float const side = scaled(pictureSide);
+    ImVec2 const words = ImGui::CalcTextSize(entry.shown.c_str());
+    ImVec2 const at = ImGui::GetCursorScreenPos();
+    float const width = std::max(side + scaled(8) + words.x, ImGui::GetContentRegionAvail().x);
+    bool const chosen = ImGui::Selectable(("##" + entry.id).c_str(), marked, 0, {width, side});
+    if (ImGui::IsItemVisible()) { // of a long list most are scrolled out of sight
+        drawPartPicture(parts, entry.part, at, side);
+        ImGui::GetWindowDrawList()->AddText({at.x + side + scaled(8), at.y + 0.5F * (side - words.y)},
+                                            ImGui::GetColorU32(ImGuiCol_Text), entry.shown.c_str());
+    }
+    return chosen;
+}
+
 } // namespace
+
+void drawPartPicture(EditParts& parts, std::string const& part, ImVec2 at, float side) {
+    auto const pixels = static_cast<int>(std::lround(scaled(pictureSide)));
+    if (unsigned const picture = parts.catalog().picture(part, pixels)) {
+        auto const texture = reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(picture));
+        ImGui::GetWindowDrawList()->AddImage(texture, at, {at.x + side, at.y + side}, {0, 1}, {1, 0});
+    }
+}
 
 bool DropDown::open() const {
     return ImGui::GetFrameCount() - openIn_ <= 1;
@@ -133,7 +162,7 @@ std::optional<std::size_t> DropDown::drawEntries(EditParts& parts, std::string c
     std::optional<std::size_t> chosen;
     for (std::size_t row = 0; row < shown.size(); ++row) {
         Entry const& entry = all[shown[row]];
-        if (ImGui::Selectable((entry.shown + "##" + entry.id).c_str(), row == marked_)) {
+        if (drawEntry(parts, entry, row == marked_)) {
             chosen = shown[row];
         }
         parts.context.layout.item(item + entry.id);
@@ -190,13 +219,17 @@ std::optional<std::size_t> DropDown::draw(EditParts& parts, std::string const& i
     return chosen;
 }
 
-void tipBeside(std::string const& text) {
+void placeTipBeside() {
     ImVec2 const list = ImGui::GetWindowPos();
     float const width = ImGui::GetWindowSize().x;
     float const gap = scaled(6);
     bool const left = list.x > ImGui::GetIO().DisplaySize.x - list.x - width;
     ImGui::SetNextWindowPos({left ? list.x - gap : list.x + width + gap, ImGui::GetItemRectMin().y},
                             ImGuiCond_Always, {left ? 1.F : 0.F, 0.F});
+}
+
+void tipBeside(std::string const& text) {
+    placeTipBeside();
     ImGui::SetTooltip("%s", words::wrapped(text, 44).c_str());
 }
 

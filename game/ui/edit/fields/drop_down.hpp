@@ -1,6 +1,8 @@
 // A list that drops down, and is searched by typing: all lists of the editor's panels.
 #pragma once
 
+#include <imgui.h>
+
 #include <cstddef>
 #include <functional>
 #include <optional>
@@ -18,8 +20,9 @@ class DropDown {
 public:
     struct Entry {
         std::string shown;
-        std::string id;  ///< of its item on the screen, and found by typing, too
-        std::string tip; ///< may be empty
+        std::string id;     ///< of its item on the screen, and found by typing, too
+        std::string tip{};  ///< may be empty
+        std::string part{}; ///< whose picture stands before it; may be empty
     };
     using Entries = std::function<std::vector<Entry>()>;
 
@@ -50,6 +53,10 @@ private:
     bool erased_ = false; // a letter, in this picture
 };
 
+/// A part's picture in a square of the window that is being drawn, pixels.
+void drawPartPicture(EditParts& parts, std::string const& part, ImVec2 at, float side);
+/// The tip that is drawn next, for the item that was drawn last, stands beside their window.
+void placeTipBeside();
 /// A tip for the entry of a list or menu that was drawn last, beside the list, so that it covers no entry.
 void tipBeside(std::string const& text);
 

@@ -46,9 +46,10 @@ std::string shownField(std::string const& name) {
     return known == key ? std::string(text(name)) : words::capital(known);
 }
 
-void fieldName(std::string const& name, std::string const& help) {
+void fieldName(std::string const& name, std::string const& help, float indent) {
     float const width = ImGui::GetContentRegionAvail().x;
     float const left = ImGui::GetCursorPosX();
+    ImGui::SetCursorPosX(left + indent);
     ImGui::AlignTextToFramePadding();
     ImGui::PushStyleColor(ImGuiCol_Text, imColour4(palette::inkSoft));
     ImGui::PushTextWrapPos(left + shareOfName * width - scaled(4));
@@ -93,9 +94,9 @@ bool committedText(EditParts& parts, std::string const& item, std::string& text,
 
 bool choiceField(EditParts& parts, std::string const& item, std::string& chosen,
                  std::vector<std::string> const& choices,
-                 std::function<std::string(std::string const&)> const& inWords) {
+                 std::function<std::string(std::string const&)> const& inWords, char const* none) {
     auto const shown = [&](std::string const& choice) {
-        return choice.empty() ? std::string("–") : inWords ? inWords(choice) : choice;
+        return choice.empty() ? std::string(none) : inWords ? inWords(choice) : choice;
     };
     auto const entries = [&] {
         std::vector<DropDown::Entry> all;

@@ -1,15 +1,17 @@
 #include "game/ui/edit/panels/command_palette.hpp"
 
 #include "game/ui/edit/edit_words.hpp"
+#include "game/ui/edit/fields/drop_down.hpp"
 #include "game/ui/edit/files/file_browser.hpp"
 #include "game/ui/shared/commands/named_keys.hpp"
 #include "render/draw/palette.hpp"
+#include "render/panels/cards.hpp"
 #include "render/panels/theme.hpp"
 #include "runtime/file/lower_case.hpp"
 
 #include <algorithm>
 #include <sstream>
-#include <vector>
+#include <utility>
 
 namespace trembler::ui {
 namespace {
@@ -36,21 +38,66 @@ void CommandPalette::begin() {
     chosen_ = 0;
 }
 
-std::optional<std::size_t> CommandPalette::draw(UiContext& context, CommandSet const& commands) {
+std::vector<CommandPalette::Row> CommandPalette::rows(UiContext const& context, CommandSet const& commands,
+                                                      std::span<PaletteEntry const> others) const {
+    std::vector<Row> found;
+    for (std::size_t i = 0; i < commands.size(); ++i) {
+        CommandInfo const& info = commands.info(i);
+        std::string tip = shownTip(info, false, context.keys);
+        if (commands.available(i) && !info.leads && fitsSearch(std::string(info.name) + " " + tip, typed_)) {
+            auto const chords = context.keys.keysOf(info.id);
+            found.push_back({i, std::string(info.name), chords.empty() ? "" : labelOf(chords.front()),
+                             std::move(tip), "run " + std::string(info.id)});
+        }
+    }
+    for (std::size_t i = 0; i < others.size(); ++i) {
+        PaletteEntry const& other = others[i];
+        if (fitsSearch(other.name + " " + other.id + " " + other.tip + " " + other.kindInWords, typed_)) {
+            bool const part = other.kind == PaletteEntry::Kind::part;
+            found.push_back({commands.size() + i, other.name, other.kindInWords, other.tip,
+                             (part ? "found part " : "found joint ") + other.id});
+        }
+    }
+    return found;
+}
+
+std::optional<std::size_t> CommandPalette::drawRows(UiContext& context, std::vector<Row> const& rows,
+                                                    bool moved) {
+    std::optional<std::size_t> run;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        Row const& row = rows[i];
+        ImGui::PushID(static_cast<int>(row.index));
+        if (ImGui::Selectable(row.name.c_str(), i == chosen_)) {
+            run = row.index;
+        }
+        context.layout.item(row.item);
+        if (ImGui::IsItemHovered() && !row.tip.empty()) {
+            tipBeside(row.tip);
+        }
+        if (i == chosen_ && moved) {
+            ImGui::SetScrollHereY();
+        }
+        if (!row.right.empty()) {
+            ImGui::SameLine(ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(row.right.c_str()).x);
+            ImGui::TextDisabled("%s", row.right.c_str());
+        }
+        ImGui::PopID();
+    }
+    if (rows.empty()) {
+        caption(words::nothingCalled);
+    }
+    return run;
+}
+
+std::optional<std::size_t> CommandPalette::draw(UiContext& context, CommandSet const& commands,
+                                                std::span<PaletteEntry const> others) {
     MenuKeys const& keys = context.menuKeys;
     if (keys.pressed(MenuKey::back, true)) {
         close();
         return {};
     }
     context.letters.waitToBeAsked();
-    std::vector<std::size_t> shown;
-    for (std::size_t i = 0; i < commands.size(); ++i) {
-        CommandInfo const& info = commands.info(i);
-        if (commands.available(i) && !info.leads &&
-            fitsSearch(std::string(info.name) + " " + shownTip(info, false, context.keys), typed_)) {
-            shown.push_back(i);
-        }
-    }
+    std::vector<Row> const shown = rows(context, commands, others);
     bool const down = keys.pressed(MenuKey::down, true);
     bool const up = keys.pressed(MenuKey::up, true);
     if (down) {
@@ -66,41 +113,19 @@ std::optional<std::size_t> CommandPalette::draw(UiContext& context, CommandSet c
     if (fresh_) {
         ImGui::SetKeyboardFocusHere();
     }
-    bool const moved = down || up;
     if (textField("##typed", typed_, 80)) {
         chosen_ = 0;
     }
     context.layout.item("command name");
-    std::optional<std::size_t> run;
     float const room = std::min(ImGui::GetIO().DisplaySize.y / theme().scale - 190, 380.F);
     ImGui::PushStyleColor(ImGuiCol_ChildBg, imColour4(palette::paper));
     ImGui::BeginChild("found", {0, scaled(room)});
-    for (std::size_t row = 0; row < shown.size(); ++row) {
-        CommandInfo const& info = commands.info(shown[row]);
-        auto const chords = context.keys.keysOf(info.id);
-        ImGui::PushID(static_cast<int>(shown[row]));
-        if (ImGui::Selectable(info.name, row == chosen_)) {
-            run = shown[row];
-        }
-        context.layout.item("run " + std::string(info.id));
-        if (ImGui::IsItemHovered()) {
-            ImGui::SetTooltip("%s", shownTip(info, false, context.keys).c_str());
-        }
-        if (row == chosen_ && moved) {
-            ImGui::SetScrollHereY();
-        }
-        if (!chords.empty()) {
-            std::string const key = labelOf(chords.front());
-            ImGui::SameLine(ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(key.c_str()).x);
-            ImGui::TextDisabled("%s", key.c_str());
-        }
-        ImGui::PopID();
-    }
+    std::optional<std::size_t> run = drawRows(context, shown, down || up);
     ImGui::EndChild();
     ImGui::PopStyleColor();
     context.layout.endCard();
     if (keys.pressed(MenuKey::press) && !fresh_ && chosen_ < shown.size()) {
-        run = shown[chosen_];
+        run = shown[chosen_].index;
     }
     fresh_ = false;
     if (run) {

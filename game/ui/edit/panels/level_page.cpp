@@ -1,6 +1,7 @@
 #include "game/ui/edit/edit_words.hpp"
 #include "game/ui/edit/fields/field_widgets.hpp"
 #include "game/ui/edit/fields/page_elements.hpp"
+#include "game/ui/edit/fields/part_choice.hpp"
 #include "game/ui/edit/fields/property_rows.hpp"
 #include "game/ui/edit/panels/side_panel.hpp"
 #include "lua/mods/mod.hpp"
@@ -131,7 +132,7 @@ void drawTool(EditParts& parts, Json const& tool, std::size_t index, float besid
     }
     std::string const item = "tool " + std::to_string(index);
     std::string const part = textAt(tool, "part");
-    fieldName(parts.catalog().titleOf(part), part);
+    partFieldName(parts, part);
     if (auto const wanted = countField(parts, item, part, numberAt(tool, "count", 1), 1,
                                        isUnlimited(tool, "count"), beside)) {
         runWidget(
@@ -171,7 +172,7 @@ void drawToolboxRows(EditParts& parts) {
     }
     std::string chosen;
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
-    if (choiceField(parts, "add tool", chosen, parts.data->parts.names())) {
+    if (partChoice(parts, "add tool", chosen, parts.data->parts.names(), words::addTool)) {
         parts.run([&](Json const& level) { return edit::addTool(level, chosen, 1); });
     }
     if (ImGui::IsItemHovered()) {

@@ -1,5 +1,6 @@
 #include "game/ui/edit/commands/edit_actions.hpp"
 #include "game/ui/edit/edit_words.hpp"
+#include "game/ui/edit/fields/drop_down.hpp"
 #include "game/ui/edit/fields/field_widgets.hpp"
 #include "game/ui/edit/panels/side_panel.hpp"
 #include "game/ui/shared/words.hpp"
@@ -18,6 +19,7 @@ using namespace render;
 constexpr float tileOfCatalogue = 80;
 
 void tipOfPart(EditParts& parts, std::string const& part) {
+    placeTipBeside(); // the tiles below stay in sight
     ImGui::BeginTooltip();
     ImGui::PushFont(theme().fonts.strong);
     ImGui::TextUnformatted(parts.catalog().titleOf(part).c_str());

@@ -1,6 +1,7 @@
 #include "game/ui/edit/edit_words.hpp"
 #include "game/ui/edit/fields/field_widgets.hpp"
 #include "game/ui/edit/fields/page_elements.hpp"
+#include "game/ui/edit/fields/part_choice.hpp"
 #include "game/ui/edit/fields/property_rows.hpp"
 #include "game/ui/edit/panels/side_panel.hpp"
 #include "game/ui/edit/view/edit_geometry.hpp"
@@ -44,7 +45,7 @@ void drawNameAndPart(EditParts& parts) {
     std::vector<std::string> choices = parts.data->parts.names();
     choices.insert(choices.begin(), "");
     fieldName(words::partField, words::partFieldTip);
-    if (choiceField(parts, "object part", part, choices)) {
+    if (partChoice(parts, "object part", part, choices)) {
         runWidget(
             parts, [&](Json const& level) { return edit::setPart(level, names, part); }, false);
     }

@@ -1,6 +1,7 @@
 #include "game/ui/edit/edit_words.hpp"
 #include "game/ui/edit/fields/field_widgets.hpp"
 #include "game/ui/edit/fields/page_elements.hpp"
+#include "game/ui/edit/fields/part_choice.hpp"
 #include "game/ui/edit/panels/side_panel.hpp"
 #include "game/ui/shared/texts.hpp"
 #include "puzzle/edit/commands/contents.hpp"
@@ -101,8 +102,12 @@ StepChange editStep(EditParts& parts, std::string const& kind, std::string const
     };
     auto const objects = edit::namesOfObjectsAndPieces(*parts.data, parts.tree());
     if (kind == "place") {
-        change.touched =
-            nameChoice(parts, words::partField, item + " part", step[kind], partsOfToolbox(parts.tree()));
+        std::string part = step[kind].is_string() ? step[kind].get<std::string>() : "";
+        fieldName(words::partField, "");
+        if (partChoice(parts, item + " part", part, partsOfToolbox(parts.tree()))) {
+            step[kind] = part;
+            change.touched = true;
+        }
         numbers(placeFields(parts, item + " at", step["at"]));
         double angle =
             step.contains("angle_deg") && step["angle_deg"].is_number() ? step["angle_deg"].get<double>() : 0;
@@ -155,7 +160,7 @@ void drawAddStep(EditParts& parts) {
     }
     std::string chosen;
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
-    bool const added = choiceField(parts, "add step", chosen, kinds, shownStep);
+    bool const added = choiceField(parts, "add step", chosen, kinds, shownStep, words::addStep);
     if (ImGui::IsItemHovered()) {
         ImGui::SetTooltip("%s", words::addStepTip);
     }

@@ -70,7 +70,9 @@ void drawFound(EditParts& parts, SearchShown const& shown, std::size_t index) {
         studyText(words::filledIn(words::causesText, causes));
     }
     std::string const as = insight::recordedAs(shown.recorded, found);
-    studyText(words::filledIn(words::foundByText, found.run, found.times) + "; " +
+    studyText((found.times == 1 ? words::filledIn(words::foundByOneText, found.run)
+                                : words::filledIn(words::foundByText, found.run, found.times)) +
+              "; " +
               (as.empty() ? std::string(words::recordedByNobody) : words::filledIn(words::likeText, as)));
     if (smallButton(parts, words::keepIt, item + " keep", words::keepItTip)) {
         actions::keepFound(parts, index);

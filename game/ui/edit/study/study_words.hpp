@@ -122,6 +122,7 @@ inline char const* const& handsField = editWord("By hand as well");
 inline char const* const& soFarText = editWord("{} of {} runs, kinds found: {}");
 inline char const* const& nearestText = editWord("Nearest miss: {} (0: solved, 1: far off)");
 inline char const* const& foundNothing = editWord("Nothing that was tried solves it.");
+inline char const* const& foundByOneText = editWord("found in run {}; one run with these parts solves it");
 inline char const* const& foundByText = editWord("found in run {}; {} runs with these parts solve it");
 inline char const* const& likeText = editWord("of the kind of \"{}\"");
 inline char const* const& recordedByNobody = editWord("recorded by nobody");

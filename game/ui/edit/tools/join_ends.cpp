@@ -9,6 +9,8 @@
 #include "puzzle/edit/commands/connect.hpp"
 #include "puzzle/session/wire_rules.hpp"
 #include "render/scene/facts/facts.hpp"
+#include "render/scene/facts/pick.hpp"
+#include "render/scene/facts/poses.hpp"
 
 #include <algorithm>
 
@@ -89,6 +91,38 @@ std::string whyNoJoint(EditParts const& parts, Store const& store, Join const& j
     return why ? translated(*why) : std::string();
 }
 
+std::vector<ObjectId> joinable(EditParts const& parts, Tool tool, JoinEnd const& from,
+                               render::Extent const& view) {
+    std::vector<ObjectId> all;
+    World const* const world = parts.world.world();
+    if (world == nullptr) {
+        return all;
+    }
+    Store const& store = world->store();
+    std::vector<ObjectId> const connected = tool == Tool::wire && from.valid()
+                                                ? connectedWith(parts, store, from.object)
+                                                : std::vector<ObjectId>();
+    auto const whyNot = [&](ObjectId object) {
+        if (!from.valid()) {
+            return whyNoBeginning(parts, tool, {object, {}});
+        }
+        if (tool == Tool::wire) {
+            return whyNoWire(parts, store, from.object, object, connected);
+        }
+        // Between two places, as a rope needs them: these are where the mouse leads.
+        return whyNoJoint(parts, store, {tool, from, {object, {}}, {0, 0}, {1, 0}});
+    };
+    for (render::Facts const& facts : render::FactsReader(*world).drawOrder()) {
+        bool const seen =
+            facts.visible() && render::pictureExtentOf(facts, render::poseOf(facts)).overlaps(view);
+        bool const there = seen && !parts.world.entryOf(facts.id).empty();
+        if (there && facts.id != from.object && whyNot(facts.id).empty()) {
+            all.push_back(facts.id);
+        }
+    }
+    return all;
+}
+
 } // namespace
 
 JoinEnd endAt(EditParts const& parts, Vec2 at) {
@@ -159,33 +193,19 @@ std::string whyNoJoin(EditParts const& parts, Join const& join) {
     return {};
 }
 
-std::vector<ObjectId> joinable(EditParts const& parts, Tool tool, JoinEnd const& from) {
-    std::vector<ObjectId> all;
-    World const* const world = parts.world.world();
-    if (world == nullptr) {
-        return all;
+std::vector<ObjectId> const& joinableInView(EditParts const& parts, JoinEnd const& from) {
+    render::Extent const view = render::viewOf(parts.camera());
+    JoinablesOf const of{parts.world.builds(),
+                         parts.document.revision(),
+                         parts.tool,
+                         parts.jointForm,
+                         from.object,
+                         view.lower,
+                         view.upper};
+    if (!parts.joinables.of || *parts.joinables.of != of) {
+        parts.joinables = {of, joinable(parts, parts.tool, from, view)};
     }
-    Store const& store = world->store();
-    std::vector<ObjectId> const connected = tool == Tool::wire && from.valid()
-                                                ? connectedWith(parts, store, from.object)
-                                                : std::vector<ObjectId>();
-    auto const whyNot = [&](ObjectId object) {
-        if (!from.valid()) {
-            return whyNoBeginning(parts, tool, {object, {}});
-        }
-        if (tool == Tool::wire) {
-            return whyNoWire(parts, store, from.object, object, connected);
-        }
-        // Between two places, as a rope needs them: these are where the mouse leads.
-        return whyNoJoint(parts, store, {tool, from, {object, {}}, {0, 0}, {1, 0}});
-    };
-    for (render::Facts const& facts : render::FactsReader(*world).drawOrder()) {
-        bool const there = facts.visible() && !parts.world.entryOf(facts.id).empty();
-        if (there && facts.id != from.object && whyNot(facts.id).empty()) {
-            all.push_back(facts.id);
-        }
-    }
-    return all;
+    return parts.joinables.objects;
 }
 
 } // namespace trembler::ui

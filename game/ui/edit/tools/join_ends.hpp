@@ -38,7 +38,8 @@ struct Join {
 [[nodiscard]] std::string whyNoBeginning(EditParts const& parts, Tool tool, JoinEnd const& from);
 /// Why it cannot be made, in the same way.
 [[nodiscard]] std::string whyNoJoin(EditParts const& parts, Join const& join);
-/// Everything in the scene that a wire or a joint could begin at or, where `from` is valid, go to.
-[[nodiscard]] std::vector<ObjectId> joinable(EditParts const& parts, Tool tool, JoinEnd const& from);
+/// Everything in the view that a wire or a joint of the chosen kind could begin at or, where `from` is valid,
+/// go to. Kept in EditParts::joinables while nothing of that changes. Valid until the next call.
+[[nodiscard]] std::vector<ObjectId> const& joinableInView(EditParts const& parts, JoinEnd const& from);
 
 } // namespace trembler::ui

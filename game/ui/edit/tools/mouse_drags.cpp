@@ -106,7 +106,8 @@ void EditMouse::drag(EditParts& parts) {
         double const degrees =
             (pointer.free || pointer.fine ? angle : parts.snapping.angle(angle)) * 180 / std::numbers::pi;
         return change(parts, [&](Json const& level) {
-            return edit::rotateObjects(*parts.data, level, parts.selected(), degrees, centre);
+            return pointer.free ? edit::rotateObjects(*parts.data, level, parts.selected(), degrees, centre)
+                                : actions::rotation(parts, level, degrees, centre);
         });
     }
     case Doing::scaling: {

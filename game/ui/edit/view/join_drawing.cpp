@@ -27,7 +27,7 @@ void drawJoining(Canvas& canvas, EditParts const& parts, JoinTool const& join) {
         outlineObject(canvas, facts, poseOf(facts), stroke);
     };
     // Between an outline of an object that is as bright and the paper, it must be told from a selection.
-    for (ObjectId const object : joinable(parts, parts.tool, join.from())) {
+    for (ObjectId const object : joinableInView(parts, join.from())) {
         mark(object, {.colour = palette::goal, .pixels = 7, .alpha = 0.3F});
         mark(object, {.colour = palette::goal, .pixels = 2, .alpha = 0.95F});
     }

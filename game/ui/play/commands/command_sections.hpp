@@ -30,8 +30,9 @@ namespace trembler::ui {
 [[nodiscard]] std::span<Command<PlayParts> const> levelCommands();
 
 /// The place to go to after the present level: the next one, the gallery that it is the last of, the list of
-/// levels (of a level that is none of the program's), or, if every puzzle is solved, the end.
-enum class AfterLevel : std::uint8_t { next, gallery, levels, end };
+/// levels (of a level that is none of the program's), the end, if every puzzle is solved, or, of a level that
+/// is being edited, the editor.
+enum class AfterLevel : std::uint8_t { next, gallery, levels, end, editor };
 [[nodiscard]] AfterLevel afterThis(PlayParts const& parts);
 
 /// How far one press of a key moves the view, as a share of the window.

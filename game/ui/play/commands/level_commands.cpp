@@ -12,11 +12,10 @@ CatalogEntry const* nextLevel(PlayParts const& parts) {
 
 /// There is a way on from every level.
 void openNext(PlayParts& parts) {
-    if (CatalogEntry const* const next = nextLevel(parts)) {
-        parts.request = request::OpenLevel{next->file};
-        return;
-    }
     switch (afterThis(parts)) {
+    case AfterLevel::editor:
+        parts.request = request::OpenMenu{MenuPage::main};
+        break;
     case AfterLevel::gallery:
         parts.request = request::OpenMenu{MenuPage::gallery};
         break;
@@ -24,6 +23,8 @@ void openNext(PlayParts& parts) {
         parts.request = request::OpenMenu{MenuPage::ending};
         break;
     case AfterLevel::next:
+        parts.request = request::OpenLevel{nextLevel(parts)->file};
+        break;
     case AfterLevel::levels:
         parts.request = request::OpenMenu{MenuPage::levels};
         break;
@@ -70,6 +71,9 @@ constexpr Command<PlayParts> levelTable[] = {
 
 AfterLevel afterThis(PlayParts const& parts) {
     LevelCatalog const& levels = parts.context.levels;
+    if (parts.testPlay) {
+        return AfterLevel::editor;
+    }
     if (nextLevel(parts) != nullptr) {
         return AfterLevel::next;
     }

@@ -1,5 +1,6 @@
 #include "game/ui/play/view/fitted_view.hpp"
 
+#include "game/ui/cards/play_cards.hpp"
 #include "game/ui/play/play_parts.hpp"
 #include "game/ui/shared/card_sizes.hpp"
 #include "game/ui/tools/free_fit.hpp"
@@ -16,6 +17,8 @@ constexpr std::size_t toolboxIndex = 1;
 /// Cards of one entry take each other's place.
 constexpr std::array<std::array<char const*, 2>, 3> openedCards{
     {{"components", "mods"}, {"inspector", "why"}, {"legend", "legend"}}};
+/// Those with which the player works on the past, at the left above the timeline.
+constexpr std::array cardsOfPast{"what if", "probe choice"};
 
 constexpr double cardClearance = 6; // pixels at UI scale 1, around a card
 /// A level that would be smaller than this, as a share of its size without the card, is shown as without it,
@@ -54,8 +57,12 @@ void FittedView::follow(PlayParts& parts, bool cards) {
         lookAtStanding(parts);
         setStage(parts);
     }
-    timeline_ = wanted && parts.timeline.shown() ? parts.timeline.height() : 0;
+    timeline_ = parts.timeline.shown() ? parts.timeline.height() : 0;
     opened_ = {};
+    ofPast_.reset();
+    if (cards) {
+        lookAtPast(parts);
+    }
     if (wanted && cards) {
         lookAtOpened(parts);
     }
@@ -98,12 +105,28 @@ bool FittedView::lookAtStanding(PlayParts const& parts) {
     return changed;
 }
 
-void FittedView::lookAtOpened(PlayParts const& parts) {
+std::optional<Rect> FittedView::columnOf(PlayParts const& parts, char const* name) const {
     double const bottom = window_.height - scale_ * static_cast<double>(bottomRow);
+    auto card = parts.context.layout.card(name);
+    if (card) {
+        card->high.y = std::max(card->high.y, bottom);
+    }
+    return card;
+}
+
+void FittedView::lookAtPast(PlayParts const& parts) {
+    for (char const* const name : cardsOfPast) {
+        if (auto const card = parts.timeline.shown() ? columnOf(parts, name) : std::nullopt) {
+            ofPast_ = card;
+        }
+    }
+}
+
+void FittedView::lookAtOpened(PlayParts const& parts) {
     for (std::size_t i = 0; i < openedCards.size(); ++i) {
         for (char const* const name : openedCards[i]) {
-            if (auto const card = parts.context.layout.card(name)) {
-                opened_[i] = Rect{card->low, {card->high.x, std::max(card->high.y, bottom)}};
+            if (auto const card = columnOf(parts, name)) {
+                opened_[i] = card;
             }
         }
     }
@@ -153,6 +176,7 @@ FittedView::Cards FittedView::obstacles(PlayParts const& parts, bool withOpened)
     add(toolboxPlace(parts));
     if (withOpened) {
         std::for_each(opened_.begin(), opened_.end(), add);
+        add(ofPast_);
         if (timeline_ > 0) {
             double const top = window_.height - scale_ * (static_cast<double>(bottomRow + timeline_) + 6);
             all.push_back(
@@ -166,8 +190,9 @@ void FittedView::fit(PlayParts& parts) const {
     auto const fitted = [&](bool withOpened, double least) {
         Cards const cards = obstacles(parts, withOpened);
         Cards const goal = onlyGoal();
+        bool const past = withOpened && timeline_ > 0; // then no part is held
         std::array const groups{FitGroup{extents_.seen, cards}, FitGroup{extents_.around, goal},
-                                FitGroup{extents_.places, cards}};
+                                FitGroup{extents_.places, past ? goal : cards}};
         return freeFit(window_, groups, scale_ * static_cast<double>(cardGap), least,
                        render::Camera::largestScale);
     };

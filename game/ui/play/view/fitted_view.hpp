@@ -20,9 +20,10 @@ struct PlayParts;
 /// Two kinds of cards are kept clear. Those that always stand around the level (goal, toolbox, buttons) leave
 /// the stage free, a rectangle of at least `stageShare` of the window's width; the toolbox counts in a run,
 /// too, as it comes back. Cards that the player has opened (components, mods, inspector, why, the legend of
-/// overlays) and the timeline count when the player asks to see everything, over their whole column down to
-/// the buttons. In a window without room for the level beside such a card, the card lies over it: see
-/// worthwhile in the source file. Window thread only.
+/// overlays) count when the player asks to see everything, over their whole column down to the buttons. With
+/// those of the past (the timeline with its plots, the card of what-if or of plots) the player works on the
+/// scene: they count whenever the view is fitted. In a window without room for the level beside such a card,
+/// the card lies over it: see worthwhile in the source file. Window thread only.
 class FittedView {
 public:
     /// Once for each picture, before its cards are drawn. `cards`: the last picture had them.
@@ -41,6 +42,9 @@ private:
     void lookAtWindow(PlayParts& parts);
     /// Return whether anything changed.
     bool lookAtStanding(PlayParts const& parts);
+    /// Where a card is, and what is below it down to the buttons.
+    [[nodiscard]] std::optional<Rect> columnOf(PlayParts const& parts, char const* name) const;
+    void lookAtPast(PlayParts const& parts);
     void lookAtOpened(PlayParts const& parts);
     void setStage(PlayParts& parts);
     void fit(PlayParts& parts) const;
@@ -50,6 +54,7 @@ private:
 
     std::array<std::optional<Rect>, 5> standing_;
     std::array<std::optional<Rect>, 3> opened_; ///< at the left, at the right, above the tools
+    std::optional<Rect> ofPast_;                ///< above the timeline
     render::Size window_;                       ///< of which the cards are
     double scale_ = 0;                          ///< of the interface
     float timeline_ = 0;                        ///< its height, pixels at UI scale 1

@@ -90,17 +90,23 @@ TEST(Newcomer, UndoesByCtrlZBetweenTwoPictures) {
 TEST(Newcomer, KeepsAPartInHandThatIsLetGoWhereItMayNotLie) {
     Player player;
     player.open(firstContact);
+    render::Toasts const& toasts = player.app().context().toasts;
+    auto const troubles = toasts.troubles();
     player.drag(player.item("part wooden bar"), player.at({1.7, 0.2}));
     player.frames(3);
     EXPECT_TRUE(player.play().placing().carried());
     EXPECT_TRUE(player.session().placed().empty());
+    EXPECT_EQ(toasts.troubles(), troubles + 1) << "which is what the sound of a refusal follows";
     player.look("let-go");
     std::vector<std::string> const lines = DrawnWords().lines();
     EXPECT_EQ(std::count_if(
                   lines.begin(), lines.end(),
                   [](std::string const& line) { return line.find("would overlap") != std::string::npos; }),
-              2)
-        << "beside the part, and in the message that comes with the sound";
+              1)
+        << "beside the part, and in no message elsewhere";
+    player.click(player.at({1.7, 0.2}));
+    EXPECT_EQ(toasts.troubles(), troubles + 2) << "a click is refused in the same way";
+    EXPECT_EQ(toasts.count(), 0U);
     player.key(SDLK_ESCAPE);
     EXPECT_FALSE(player.play().placing().carried());
     player.drag(player.item("part wooden bar"), player.at({-1.8, 1.6}));

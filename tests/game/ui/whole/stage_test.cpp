@@ -361,6 +361,25 @@ TEST(Stage, KeepsTheToolboxFreeOfAnswersAndOfTheInspector) {
     }
 }
 
+// It jumped to the other side as soon as its object came under it, and back.
+TEST(Stage, TheInspectorStaysOnItsSideWhileTheViewIsMoved) {
+    for (char const* const name : {"iron ball", "battery plus"}) { // beside the toolbox, and far from it
+        Player player;
+        player.open(firstContact);
+        World const& world = player.session().world();
+        player.click(player.at(world.find<Position>(world.store().find(name))->value));
+        player.frames(4);
+        ASSERT_TRUE(player.showsCard("inspector")) << name;
+        double const before = player.layout().card("inspector")->low.x;
+        for (SDL_Keycode const way : {SDLK_RIGHT, SDLK_LEFT}) {
+            for (int i = 0; i < 12; ++i) {
+                player.key(way, KMOD_LCTRL);
+                ASSERT_EQ(player.layout().card("inspector")->low.x, before) << name;
+            }
+        }
+    }
+}
+
 TEST(Stage, EscapeDeselectsBeforeItOpensTheMenu) {
     Player player;
     player.open(firstContact);

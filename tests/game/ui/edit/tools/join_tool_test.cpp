@@ -2,6 +2,8 @@
 #include "game/ui/edit/tools/join_tool.hpp"
 #include "physics/dynamics/properties/joint.hpp"
 #include "physics/electricity/properties/electrical.hpp"
+#include "render/scene/facts/pick.hpp"
+#include "render/scene/facts/poses.hpp"
 #include "runtime/placement.hpp"
 #include "tests/game/ui/edit/editor_kit.hpp"
 
@@ -66,7 +68,7 @@ protected:
     Names lit(JoinEnd const& from = {}) {
         Names names;
         Store const& store = designer.parts().world.world()->store();
-        for (ObjectId const object : joinable(designer.parts(), designer.parts().tool, from)) {
+        for (ObjectId const object : joinableInView(designer.parts(), from)) {
             names.insert(store.nameOf(object));
         }
         return names;
@@ -209,6 +211,22 @@ TEST_F(Joining, WhatCanBeJoinedLightsUp) {
     Names const toWall = lit(wall);
     EXPECT_FALSE(toWall.contains("floor")) << "both are fixed";
     EXPECT_TRUE(toWall.contains("plank"));
+    // Only what is in the view is looked for.
+    designer.key(SDLK_w);
+    designer.moveTo(on("cell plus"));
+    for (int i = 0; i < 10; ++i) {
+        designer.wheel(1);
+    }
+    Names const near = lit();
+    EXPECT_TRUE(near.contains("cell plus"));
+    EXPECT_LT(near.size(), conductors.size());
+    render::Extent const view = render::viewOf(designer.parts().camera());
+    World const& world = *designer.parts().world.world();
+    render::FactsReader const reader(world);
+    for (std::string const& name : conductors) {
+        render::Facts const facts = reader.of(world.store().find(name));
+        EXPECT_EQ(near.contains(name), render::extentOf(facts, render::poseOf(facts)).overlaps(view)) << name;
+    }
 }
 
 TEST_F(Joining, JointsTakePiecesAndSayWhyNot) {

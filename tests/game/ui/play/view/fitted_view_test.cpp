@@ -1,10 +1,13 @@
 // The view is fitted beside the cards around a level, and, if the player asks, beside those that are open.
+#include "game/ui/play/timeline/probe_panel.hpp"
 #include "game/ui/play/view/level_extents.hpp"
+#include "game/ui/play/whatif/what_if.hpp"
 #include "physics/dynamics/properties/body.hpp"
 #include "render/scene/areas.hpp"
 #include "render/scene/facts/facts.hpp"
 #include "render/scene/facts/pick.hpp"
 #include "tests/game/ui/player.hpp"
+#include "tests/game/ui/stage_sessions.hpp"
 
 #include <array>
 #include <string>
@@ -153,6 +156,40 @@ TEST(FittedView, NothingLiesUnderMods) {
     player.key(SDLK_m);
     fit(player);
     expectUncovered(player, "mods");
+}
+
+// The card of what-if lay over the battery, and its lane over the floor, however often one pressed *Fit*.
+TEST(FittedView, NothingLiesUnderTheCardsOfThePast) {
+    for (render::Size const size : {render::Size{1280, 720}, render::Size{800, 600}}) {
+        Player player(size);
+        player.open(firstContact);
+        player.key(SDLK_f);
+        player.key(SDLK_f);
+        render::Camera const before = player.play().camera();
+        player.key(SDLK_k);
+        player.key(SDLK_z);
+        ASSERT_TRUE(player.play().whatIf().active());
+        for (int i = 0; i < 600 && player.play().whatIf().moving(); ++i) {
+            player.frame();
+        }
+        player.frames(4);
+        EXPECT_EQ(player.play().camera().centre, before.centre) << "what opens moves nothing";
+        fit(player);
+        for (char const* const card : {"timeline", "what if lane", "what if"}) {
+            expectUncovered(player, card);
+        }
+        player.look("fitted-what-if-" + std::to_string(size.width));
+        EXPECT_GE(player.play().camera().pixelsPerMetre, 0.5 * before.pixelsPerMetre);
+        player.play().timeline().probes().toggle("iron ball.position.x");
+        fit(player);
+        for (char const* const card : {"timeline", "what if lane", "what if", "probes"}) {
+            expectUncovered(player, card);
+        }
+        resizeWindow(player, {1920, 1080});
+        for (char const* const card : {"timeline", "what if lane", "what if", "probes"}) {
+            expectUncovered(player, card);
+        }
+    }
 }
 
 // A balloon beside the contacts rises without end. What has left the level is not looked for.
