@@ -19,7 +19,7 @@ std::string partNamed(std::string const& name) {
 TEST(DamagedParts, AreMovedAsideAndReportedInTheWindowOnce) {
     fs::path const data = testFolder() / "damaged parts";
     fs::remove_all(data);
-    Variable const environment("XDG_DATA_HOME", data.c_str());
+    trembler::test::Variable const environment("XDG_DATA_HOME", data.c_str());
     fs::path const folder = ownPartsFolder();
     ASSERT_EQ(folder, data / "trembler" / "parts");
     KeptFile const withLast(folder / "disc.json");

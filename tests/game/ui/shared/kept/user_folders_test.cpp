@@ -29,8 +29,8 @@ TEST(PicturesFolder, IsReadFromAFileOfAMegabyteAtMost) {
     namespace fs = std::filesystem;
     fs::path const config = fs::path(testing::TempDir()) / ("user folders " + std::to_string(::getpid()));
     fs::create_directories(config);
-    test::Variable const home("HOME", "/home/ada");
-    test::Variable const place("XDG_CONFIG_HOME", config.c_str());
+    trembler::test::Variable const home("HOME", "/home/ada");
+    trembler::test::Variable const place("XDG_CONFIG_HOME", config.c_str());
     std::string const stated = "XDG_PICTURES_DIR=\"/data/pictures\"\n#";
     for (std::size_t const size : {stated.size(), std::size_t{1} << 20U, (std::size_t{1} << 20U) + 1}) {
         std::ofstream(config / "user-dirs.dirs") << stated << std::string(size - stated.size(), 'x');
