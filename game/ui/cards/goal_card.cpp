@@ -167,7 +167,8 @@ public:
         });
     }
 
-    /// The story at the left, the goals at the right of it.
+    /// The story at the left, the goals at the right of it; without goals the story is there, and the card
+    /// low.
     void drawWide() {
         float const most = scaled(look_.most);
         bool const hint = look_.hint != nullptr && buttons_ != nullptr;
@@ -181,11 +182,21 @@ public:
         }
         ImGui::TableNextColumn();
         drawTitle(told_.title, ImGui::GetContentRegionAvail().x);
-        if (!told_.story.empty()) {
+        bool const onlyStory = told_.lines.empty() && !told_.story.empty();
+        auto const drawStory = [&] {
             scrolledBeyond("story", roomBelow(most), [&] { smallCaption(told_.story.c_str()); });
+        };
+        if (onlyStory) {
+            smallCaption(words::noGoal);
+        } else if (!told_.story.empty()) {
+            drawStory();
         }
         ImGui::TableNextColumn();
-        scrolledBeyond("goals", roomBelow(most), [&] { drawGoals(); });
+        if (onlyStory) {
+            drawStory();
+        } else {
+            scrolledBeyond("goals", roomBelow(most), [&] { drawGoals(); });
+        }
         if (hint) {
             ImGui::TableNextColumn();
             buttons_->big("hint", {.label = look_.hint, .width = -1});

@@ -109,7 +109,9 @@ void drawBrief(CommandButtons& buttons, ToolboxView& view, bool escape) {
         view.offerGroups(!view.offersGroups());
     }
     buttons.layout().item("groups");
-    if (ImGui::IsItemHovered()) {
+    if (ImGui::IsItemHovered() && !view.offersGroups()) { // then their names are there
+        ImGui::SetNextWindowPos({ImGui::GetWindowPos().x - scaled(10), ImGui::GetItemRectMin().y},
+                                ImGuiCond_Always, {1, 0});
         ImGui::SetTooltip("%s", nameOfShown(view).c_str());
     }
 }

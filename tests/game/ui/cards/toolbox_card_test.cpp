@@ -288,6 +288,7 @@ TEST(FreePlayTiles, AreInSightInSeveralRowsWhateverTheWindowAndTheLetters) {
         for (char const* const language : {"en", "de"}) {
             Player player(room.size);
             changeSettings(player.app().context(), {.uiScale = room.letters, .language = language});
+            player.frames(4); // the title screen is laid out anew
             enter(player);
             std::string const where = std::to_string(room.size.width) + "x" +
                                       std::to_string(room.size.height) + " at " +

@@ -50,11 +50,11 @@ TEST_F(FreePlayMods, PartsAreOfferedWorkAndAreThereAgain) {
         player->look("free-play-mods");
         player->drag(player->item("part fan"), player->at({-3, 0.4}));
         ASSERT_EQ(player->session().placed().size(), 1U);
-        ASSERT_TRUE(player->session().place({"cork", {-2, 0.2}, 0, ""}));
+        ASSERT_TRUE(player->session().place({"wooden ball", {-1.5, 0.2}, 0, ""}));
         player->play().worldChanged();
         Vec2 const before = player->session().world().find<Position>(player->session().objectOf(2))->value;
         player->key(SDLK_SPACE);
-        player->simulate(60);
+        player->simulate(120);
         Vec2 const after = player->session().world().find<Position>(player->session().objectOf(2))->value;
         EXPECT_GT(after.x, before.x + 0.1) << "the fan blows it away";
         player->key(SDLK_SPACE);
