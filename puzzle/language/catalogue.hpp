@@ -28,8 +28,8 @@ public:
     /// A finished English text, such as the message of an exception: looked up as it is, or else by the text
     /// with gaps that it fits ("it would overlap the {}"), the one that leaves the least to the gaps. The
     /// contents of the gaps are translated likewise; "{name}", "{akk}" and "{dat}" in the translation make it
-    /// the name of an object, without an article or in that case, and "{own}" leaves it as it is. A place before
-    /// it, "wind.lua:12: ", stays. If nothing fits, the text as it is.
+    /// the name of an object, without an article or in that case, and "{own}" leaves it as it is. A place
+    /// before it, "wind.lua:12: ", stays. If nothing fits, the text as it is.
     [[nodiscard]] std::string translated(std::string const& english) const;
     [[nodiscard]] GermanNames const& names() const { return names_; }
 
