@@ -49,6 +49,16 @@ protected:
         key(SDLK_2);
     }
 
+    [[nodiscard]] std::vector<fs::path> recoveryFiles() const {
+        std::vector<fs::path> files;
+        std::error_code none;
+        for (fs::directory_iterator at(recoveries(), none), end; !none && at != end; at.increment(none)) {
+            if (at->path().extension() == ".json") {
+                files.push_back(at->path());
+            }
+        }
+        return files;
+    }
     /// The most objects that a complete recovery file has; 0 if there is none.
     [[nodiscard]] std::size_t recoveredObjects() const {
         std::size_t most = 0;
@@ -124,12 +134,17 @@ TEST_F(EditorKilled, WorkIsOfferedAgainWheneverItWasKilled) {
     ASSERT_EQ(ran.status, -1) << ran.out << ran.err;
     EXPECT_EQ(contentsOf(file()), before);
 
-    // Recovered, and killed while it writes: then the work before it is there.
+    // Recovered, and killed while it writes: then the work before it is there. Not while it takes over the
+    // work that was recovered, as then both would be offered.
+    std::vector<fs::path> const earlier = recoveryFiles();
     agree();
     addBox();
     ran = edit([&](int process) {
-        waitUntil(process,
-                  [&] { return writesInto(process, recoveries()) || recoveredObjects() >= objects + 3; });
+        waitUntil(process, [&] {
+            return std::none_of(earlier.begin(), earlier.end(),
+                                [](fs::path const& file) { return fs::exists(file); }) &&
+                   (writesInto(process, recoveries()) || recoveredObjects() >= objects + 3);
+        });
         return true;
     });
     ASSERT_EQ(ran.status, -1) << ran.out << ran.err;
