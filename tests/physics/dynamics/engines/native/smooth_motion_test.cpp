@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <random>
 
 namespace trembler::test {
 namespace smooth_motion_test {
@@ -50,13 +51,18 @@ double worstOf(int links, double size, double angle, int frames) {
 }
 
 TEST(SmoothMotion, KeepsTheEnergyOfPendulums) {
-    EXPECT_TRUE(rc::check([] {
-        double const size = 0.2 + 2 * unit();
-        double const angle = 2 * std::numbers::pi * unit();
-        RC_ASSERT(worstOf(1, size, angle, 600) < 0.0005);
-        RC_ASSERT(worstOf(2, size, angle, 600) < 0.002);
-        RC_ASSERT(worstOf(3, size, angle, 600) < 0.005);
-    }));
+    // A few only, as a double and a triple pendulum take long.
+    std::mt19937 random(4242);
+    auto const between = [&](double low, double high) {
+        return low + (high - low) * static_cast<double>(random() >> 8U) * 0x1p-24;
+    };
+    for (int i = 0; i < 4; ++i) {
+        double const size = between(0.2, 2.2);
+        double const angle = between(0, 2 * std::numbers::pi);
+        EXPECT_LT(worstOf(1, size, angle, 600), 0.0005) << size << " m at " << angle;
+        EXPECT_LT(worstOf(2, size, angle, 600), 0.002) << size << " m at " << angle;
+        EXPECT_LT(worstOf(3, size, angle, 600), 0.005) << size << " m at " << angle;
+    }
 }
 
 // 2π √(l/g) for small swings: of a rod of length s about its end, l = 2 s / 3.
