@@ -25,7 +25,9 @@ constexpr std::size_t longList = 9;      // entries, from which on letters narro
 constexpr std::size_t longestTyped = 60; // bytes
 constexpr double forgetAfter = 1;        // s without a letter, in a short list
 constexpr std::size_t pageOfEntries = 10;
-constexpr float pictureSide = 28; // pixels at UI scale 1, of a part
+// Pixels at UI scale 1, of a part's picture.
+constexpr float pictureSide = 28;    ///< in a list
+constexpr float largestPicture = 52; ///< as it is made
 
 bool isPrintable(SDL_Keycode key) {
     return !isPadKey(key) && key > SDLK_SPACE && key < SDLK_DELETE;
@@ -81,7 +83,7 @@ bool drawEntry(EditParts& parts, DropDown::Entry const& entry, bool marked) {
 } // namespace
 
 void drawPartPicture(EditParts& parts, std::string const& part, ImVec2 at, float side) {
-    auto const pixels = static_cast<int>(std::lround(scaled(pictureSide)));
+    auto const pixels = static_cast<int>(std::lround(scaled(largestPicture)));
     if (unsigned const picture = parts.catalog().picture(part, pixels)) {
         auto const texture = reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(picture));
         ImGui::GetWindowDrawList()->AddImage(texture, at, {at.x + side, at.y + side}, {0, 1}, {1, 0});

@@ -46,10 +46,9 @@ std::string shownField(std::string const& name) {
     return known == key ? std::string(text(name)) : words::capital(known);
 }
 
-void fieldName(std::string const& name, std::string const& help, float indent) {
+void fieldName(std::string const& name, std::string const& help) {
     float const width = ImGui::GetContentRegionAvail().x;
     float const left = ImGui::GetCursorPosX();
-    ImGui::SetCursorPosX(left + indent);
     ImGui::AlignTextToFramePadding();
     ImGui::PushStyleColor(ImGuiCol_Text, imColour4(palette::inkSoft));
     ImGui::PushTextWrapPos(left + shareOfName * width - scaled(4));

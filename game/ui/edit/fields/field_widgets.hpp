@@ -14,9 +14,8 @@ namespace trembler::ui {
 /// The name of a field, and one of the values that it may have, in the language in use.
 [[nodiscard]] std::string shownField(std::string const& name);
 [[nodiscard]] std::string shownChoice(std::string const& choice);
-/// A name on the left, with a tip; the widget that follows takes the rest of the line. `indent`: pixels that
-/// something before the name takes.
-void fieldName(std::string const& name, std::string const& help, float indent = 0);
+/// A name on the left, with a tip; the widget that follows takes the rest of the line.
+void fieldName(std::string const& name, std::string const& help);
 /// A text that is taken when the field is left or Enter is pressed; true in that picture. `lines` above 1: a
 /// larger field.
 [[nodiscard]] bool committedText(EditParts& parts, std::string const& item, std::string& text,

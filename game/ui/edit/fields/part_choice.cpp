@@ -1,6 +1,6 @@
 #include "game/ui/edit/fields/part_choice.hpp"
 
-#include "game/ui/edit/fields/field_widgets.hpp"
+#include "render/draw/palette.hpp"
 #include "render/panels/theme.hpp"
 
 namespace trembler::ui {
@@ -27,10 +27,23 @@ bool partChoice(EditParts& parts, std::string const& item, std::string& chosen,
     return true;
 }
 
-void partFieldName(EditParts& parts, std::string const& part) {
-    float const side = ImGui::GetFrameHeight();
-    drawPartPicture(parts, part, ImGui::GetCursorScreenPos(), side);
-    fieldName(parts.catalog().titleOf(part), parts.catalog().textOf(part), side + render::scaled(5));
+void partRow(EditParts& parts, std::string const& part, std::function<void()> const& draw) {
+    using namespace render;
+    ImVec2 const at = ImGui::GetCursorScreenPos();
+    float const side = ImGui::GetTextLineHeight() + ImGui::GetStyle().ItemSpacing.y + ImGui::GetFrameHeight();
+    float const indent = side + scaled(6);
+    drawPartPicture(parts, part, at, side);
+    ImGui::Indent(indent);
+    ImGui::PushStyleColor(ImGuiCol_Text, imColour4(palette::inkSoft));
+    ImGui::PushTextWrapPos(0); // up to the window's edge
+    ImGui::TextUnformatted(parts.catalog().titleOf(part).c_str());
+    ImGui::PopTextWrapPos();
+    ImGui::PopStyleColor();
+    if (std::string const text = parts.catalog().textOf(part); !text.empty() && ImGui::IsItemHovered()) {
+        tipBeside(text);
+    }
+    draw();
+    ImGui::Unindent(indent);
 }
 
 } // namespace trembler::ui

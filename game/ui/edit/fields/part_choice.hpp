@@ -3,6 +3,7 @@
 
 #include "game/ui/edit/edit_parts.hpp"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -12,7 +13,8 @@ namespace trembler::ui {
 /// chosen.
 [[nodiscard]] bool partChoice(EditParts& parts, std::string const& item, std::string& chosen,
                               std::vector<std::string> const& names, char const* none = "–");
-/// As fieldName(): a part's picture and title on the left, and its description as a tip.
-void partFieldName(EditParts& parts, std::string const& part);
+/// Its title, with its description as a tip, above the widgets that `draw` draws, and its picture beside
+/// both.
+void partRow(EditParts& parts, std::string const& part, std::function<void()> const& draw);
 
 } // namespace trembler::ui

@@ -119,14 +119,12 @@ double numberAt(Json const& tool, char const* key, double otherwise) {
     return tool.contains(key) && tool[key].is_number() ? tool[key].get<double>() : otherwise;
 }
 
-/// A part, or the wires, with the number of them; `beside` is the width of the buttons that follow in pixels.
-void drawTool(EditParts& parts, Json const& tool, std::size_t index, float beside) {
+/// The number of a part, or of the wires; `beside` is the width of the buttons that follow in pixels.
+void drawCount(EditParts& parts, Json const& tool, std::size_t index, float beside) {
     if (tool.contains("wire")) {
         return drawWires(parts, numberAt(tool, "wire", 0), isUnlimited(tool, "wire"), beside);
     }
     std::string const item = "tool " + std::to_string(index);
-    std::string const part = textAt(tool, "part");
-    partFieldName(parts, part);
     if (auto const wanted =
             countField(parts, item, numberAt(tool, "count", 1), 1, isUnlimited(tool, "count"), beside)) {
         runWidget(
@@ -134,30 +132,42 @@ void drawTool(EditParts& parts, Json const& tool, std::size_t index, float besid
     }
 }
 
-void drawToolboxRows(EditParts& parts) {
-    pageHeading(words::toolboxHeading);
-    Json const tools = listAt(parts.tree(), "toolbox");
-    bool wires = false;
+void drawTool(EditParts& parts, Json const& tool, std::size_t index, std::size_t count) {
+    bool const ofWires = tool.contains("wire");
+    std::string const item = "tool " + std::to_string(index);
     float const gap = scaled(3);
     float const remove =
         gap + ImGui::CalcTextSize(words::removeShort).x + 2 * ImGui::GetStyle().FramePadding.x;
-    for (std::size_t i = 0; i < tools.size(); ++i) {
-        bool const ofWires = tools[i].is_object() && tools[i].contains("wire");
-        wires = wires || ofWires;
-        std::string const item = "tool " + std::to_string(i);
-        // By its name, so that the ring of the keyboard stays with an entry that is moved.
-        ImGui::PushID(ofWires ? wiresId : textAt(tools[i], "part").c_str());
-        drawTool(parts, tools[i].is_object() ? tools[i] : Json::object(), i, orderArrowsWidth() + remove);
-        if (auto const to = orderArrows(parts, item, i, tools.size())) {
-            parts.run([&](Json const& level) { return edit::moveTool(level, i, *to); });
+    auto const drawWidgets = [&] {
+        drawCount(parts, tool, index, orderArrowsWidth() + remove);
+        if (auto const to = orderArrows(parts, item, index, count)) {
+            parts.run([&](Json const& level) { return edit::moveTool(level, index, *to); });
         }
         ImGui::SameLine(0, gap);
         if (smallButton(parts, words::removeShort, item + " remove", words::removeIt)) {
             parts.run([&](Json const& level) {
-                return ofWires ? edit::setWires(level, 0) : edit::removeTool(level, i);
+                return ofWires ? edit::setWires(level, 0) : edit::removeTool(level, index);
             });
         }
-        ImGui::PopID();
+    };
+    std::string const part = textAt(tool, "part");
+    // By its name, so that the ring of the keyboard stays with an entry that is moved.
+    ImGui::PushID(ofWires ? wiresId : part.c_str());
+    if (ofWires) {
+        drawWidgets();
+    } else {
+        partRow(parts, part, drawWidgets);
+    }
+    ImGui::PopID();
+}
+
+void drawToolboxRows(EditParts& parts) {
+    pageHeading(words::toolboxHeading);
+    Json const tools = listAt(parts.tree(), "toolbox");
+    bool wires = false;
+    for (std::size_t i = 0; i < tools.size(); ++i) {
+        wires = wires || (tools[i].is_object() && tools[i].contains("wire"));
+        drawTool(parts, tools[i].is_object() ? tools[i] : Json::object(), i, tools.size());
     }
     if (!wires) {
         ImGui::PushID(wiresId);
