@@ -58,6 +58,13 @@ std::vector<CommandPalette::Row> CommandPalette::rows(UiContext const& context, 
                              (part ? "found part " : "found joint ") + other.id});
         }
     }
+    // What is called so comes before what is only described so.
+    auto const rank = [typed = inLowerCase(typed_)](Row const& row) {
+        std::string const name = inLowerCase(row.name);
+        return name.starts_with(typed) ? 0 : fitsSearch(name, typed) ? 1 : 2;
+    };
+    std::stable_sort(found.begin(), found.end(),
+                     [&](Row const& a, Row const& b) { return rank(a) < rank(b); });
     return found;
 }
 
