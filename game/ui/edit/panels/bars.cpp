@@ -111,7 +111,10 @@ void drawLevelName(EditParts& parts) {
                       .offset = {editGap, editGap},
                       .width = std::min(room, sidePanelWidth),
                       .bare = true});
-    std::string name = parts.document.name();
+    // A new level has the name of the file as which it was opened and will be saved.
+    std::filesystem::path const& proposed = parts.dialogs.proposed();
+    std::string name = parts.document.path().empty() && !proposed.empty() ? proposed.filename().string()
+                                                                          : parts.document.name();
     std::size_t const slash = name.rfind('/');
     name = slash == std::string::npos ? name : name.substr(slash + 1);
     ImGui::PushFont(theme().fonts.strong);

@@ -40,6 +40,18 @@ TEST(LeadingBack, TheTestAndTheMenuSayWhereTheyLead) {
     EXPECT_EQ(designer.screen().test(), nullptr) << "back in the editor";
 }
 
+// `edit NEW.json` was headed "new level".
+TEST(LeadingBack, ANewFileHeadsTheEditorBeforeItIsSaved) {
+    Designer designer;
+    auto const file = testFolder() / "seesaw.json";
+    std::filesystem::remove(file);
+    designer.app().edit(file);
+    designer.frames(4);
+    designer.look("edit-new-file");
+    auto const lines = DrawnWords().lines();
+    EXPECT_EQ(std::count(lines.begin(), lines.end(), "seesaw.json"), 1);
+}
+
 } // namespace
 } // namespace leading_back_test
 } // namespace trembler::ui::test
