@@ -60,8 +60,10 @@ void FittedView::follow(PlayParts& parts, bool cards) {
     timeline_ = parts.timeline.shown() ? parts.timeline.height() : 0;
     opened_ = {};
     ofPast_.reset();
+    goalShown_ = true;
     if (cards) {
         lookAtPast(parts);
+        goalShown_ = !ofPast_ || parts.context.layout.card("goal"); // such a card may take its room
     }
     if (wanted && cards) {
         lookAtOpened(parts);
@@ -159,9 +161,9 @@ std::optional<Rect> FittedView::toolboxPlace(PlayParts const& parts) const {
                 {right, window_.height - scale_ * static_cast<double>(bottomRow)}};
 }
 
-FittedView::Cards FittedView::onlyGoal() const {
+FittedView::Cards FittedView::onlyGoal(bool withOpened) const {
     auto const& goal = standing_[goalIndex];
-    return goal ? Cards{*goal} : Cards{};
+    return goal && (goalShown_ || !withOpened) ? Cards{*goal} : Cards{};
 }
 
 FittedView::Cards FittedView::obstacles(PlayParts const& parts, bool withOpened) const {
@@ -172,7 +174,11 @@ FittedView::Cards FittedView::obstacles(PlayParts const& parts, bool withOpened)
             all.push_back({card->low - clear, card->high + clear});
         }
     };
-    std::for_each(standing_.begin(), standing_.end(), add);
+    for (std::size_t i = 0; i < standing_.size(); ++i) {
+        if (i != goalIndex || goalShown_ || !withOpened) {
+            add(standing_[i]);
+        }
+    }
     add(toolboxPlace(parts));
     if (withOpened) {
         std::for_each(opened_.begin(), opened_.end(), add);
@@ -189,7 +195,7 @@ FittedView::Cards FittedView::obstacles(PlayParts const& parts, bool withOpened)
 void FittedView::fit(PlayParts& parts) const {
     auto const fitted = [&](bool withOpened, double least) {
         Cards const cards = obstacles(parts, withOpened);
-        Cards const goal = onlyGoal();
+        Cards const goal = onlyGoal(withOpened);
         bool const past = withOpened && timeline_ > 0; // then no part is held
         std::array const groups{FitGroup{extents_.seen, cards}, FitGroup{extents_.around, goal},
                                 FitGroup{extents_.places, past ? goal : cards}};

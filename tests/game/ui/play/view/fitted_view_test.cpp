@@ -167,6 +167,9 @@ TEST(FittedView, NothingLiesUnderTheCardsOfThePast) {
         player.key(SDLK_f);
         render::Camera const before = player.play().camera();
         player.key(SDLK_k);
+        player.frames(2);
+        player.play().timeline().seek(1);
+        player.frames(2);
         player.key(SDLK_z);
         ASSERT_TRUE(player.play().whatIf().active());
         for (int i = 0; i < 600 && player.play().whatIf().moving(); ++i) {
