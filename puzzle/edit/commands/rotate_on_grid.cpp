@@ -4,6 +4,7 @@
 #include "puzzle/edit/commands/editor_state.hpp"
 #include "puzzle/edit/commands/objects.hpp"
 #include "puzzle/edit/tree/extent.hpp"
+#include "puzzle/edit/tree/grid_features.hpp"
 #include "puzzle/edit/tree/motion.hpp"
 #include "puzzle/edit/tree/tree_access.hpp"
 
@@ -14,15 +15,10 @@
 namespace trembler::edit {
 namespace {
 
-/// m: what differs by less from the grid lies on it, see grid_features.cpp.
-constexpr double onGrid = 1e-7;
-constexpr double rightAngle = 1e-5; // degrees
+constexpr double rightAngle = 1e-5;   // degrees
+constexpr double betweenLines = 1e-7; // m: so far from the middle between two lines of the grid is in it
 
-bool liesOnGrid(double value, double step) {
-    return std::abs(value - std::round(value / step) * step) < onGrid;
-}
-
-bool liesOnGrid(Vec2 at, double step) {
+bool pointOnGrid(Vec2 at, double step) {
     return liesOnGrid(at.x, step) && liesOnGrid(at.y, step);
 }
 
@@ -41,7 +37,7 @@ std::optional<int> quarterTurns(Json const& level, std::vector<std::string> cons
 /// From a coordinate to the grid; from the middle between two of its lines down or up.
 double wayToGrid(double value, double step, bool down) {
     double const steps = value / step;
-    double const tolerance = onGrid / step;
+    double const tolerance = betweenLines / step;
     double const to = down ? std::ceil(steps - 0.5 - tolerance) : std::floor(steps + 0.5 + tolerance);
     return to * step - value;
 }
@@ -50,12 +46,12 @@ double wayToGrid(double value, double step, bool down) {
 Vec2 wayBack(GameData const& data, Json const& level, std::vector<std::string> const& names, double step) {
     auto const quarters = quarterTurns(level, names);
     auto const box = extentOfObjects(data, level, names);
-    if (!quarters || !box || liesOnGrid(box->corner, step)) {
+    if (!quarters || !box || pointOnGrid(box->corner, step)) {
         return {};
     }
     Vec2 const middle = box->corner + 0.5 * box->size;
     Vec2 const before = middle - 0.5 * Vec2{box->size.y, box->size.x}; // the corner, a quarter turn ago
-    if (!liesOnGrid(before, step)) {
+    if (!pointOnGrid(before, step)) {
         return {};
     }
     // Down after one turn and up after the next, so that they cancel out.

@@ -26,10 +26,6 @@ double onGridNearest(double value, double step) {
     return std::round(value / step) * step;
 }
 
-bool liesOnGrid(double value, double step) {
-    return std::abs(value - onGridNearest(value, step)) < onGrid;
-}
-
 void addPoint(GridFeatures& features, Vec2 at) {
     features.x.push_back(at.x);
     features.y.push_back(at.y);
@@ -53,6 +49,10 @@ void tidy(std::vector<double>& values) {
 }
 
 } // namespace
+
+bool liesOnGrid(double value, double step) {
+    return std::abs(value - onGridNearest(value, step)) < onGrid;
+}
 
 GridFeatures gridFeatures(GameData const& data, Json const& level, std::vector<std::string> const& names) {
     GridFeatures features;

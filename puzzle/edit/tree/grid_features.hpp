@@ -20,6 +20,10 @@ struct GridFeatures {
 [[nodiscard]] GridFeatures gridFeatures(GameData const& data, Json const& level,
                                         std::vector<std::string> const& names);
 
+/// Whether a coordinate, m, is that of a line of a grid of this step, m, above zero, as exactly as files
+/// state it.
+[[nodiscard]] bool liesOnGrid(double value, double step);
+
 /// The way, m, along one axis by which features are moved if they are dragged by `way`, m: what lies on the
 /// grid stays on it. If one of them does, it is a multiple of the grid's step. If none does, it is the way
 /// nearest to `way` that takes one of them to the grid; a way of less than half a step is none, so that an
