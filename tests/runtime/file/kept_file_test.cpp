@@ -55,6 +55,10 @@ protected:
 
     fs::path const folder = fs::path(testing::TempDir()) / ("kept files " + std::to_string(::getpid()));
     KeptFile const file{folder / "it.json"};
+
+private:
+    CallsWithoutSync calls_;
+    FileCallsReplaced const replaced_{calls_};
 };
 
 TEST_F(KeptFiles, KeepTheVersionBefore) {
