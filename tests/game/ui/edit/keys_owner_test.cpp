@@ -138,37 +138,46 @@ bool endsOrEdits(Chord const& chord) {
            (chord.ctrl && (chord.key == SDLK_x || chord.key == SDLK_v));
 }
 
-TEST(KeysOwner, NoKeyRunsACommandBehindAWidget) {
+/// One of owners(), by its index.
+class KeysOwnerOf : public testing::TestWithParam<std::size_t> {};
+
+INSTANTIATE_TEST_SUITE_P(KeysOwner, KeysOwnerOf, testing::Range<std::size_t>(0, 5), [](auto const& info) {
+    std::string name = owners().at(info.param).name;
+    std::replace(name.begin(), name.end(), ' ', '_');
+    return name;
+});
+
+TEST_P(KeysOwnerOf, LetsNoKeyRunACommand) {
+    ASSERT_EQ(owners().size(), 5U);
+    Owner const owner = owners().at(GetParam());
     Designer designer;
     designer.editText(room);
     std::vector<Chord> const keys = allKeys(designer);
     ASSERT_GT(keys.size(), 60U);
-    for (Owner const& owner : owners()) {
-        begin(designer);
-        for (Chord const& chord : keys) {
-            if (!owner.isOpen(designer)) {
-                begin(designer);
-                owner.open(designer);
-                ASSERT_TRUE(owner.isOpen(designer)) << owner.name;
-            }
-            SDL_SetClipboardText("nothing");
-            State const before = stateOf(designer, !owner.copies);
-            render::pushKey(window(), chord.key, true, modifiersOf(chord));
-            designer.frame();
-            render::pushKey(window(), chord.key, false, KMOD_NONE);
-            designer.frame();
-            EXPECT_TRUE(stateOf(designer, !owner.copies) == before) << owner.name << ", " << nameOf(chord);
-            if (endsOrEdits(chord)) {
-                owner.close(designer); // as it was for the next key
-                designer.frames(1);
-                if (designer.app().menu().isOpen()) { // it had been closed by the key
-                    designer.key(SDLK_ESCAPE);
-                }
+    begin(designer);
+    for (Chord const& chord : keys) {
+        if (!owner.isOpen(designer)) {
+            begin(designer);
+            owner.open(designer);
+            ASSERT_TRUE(owner.isOpen(designer));
+        }
+        SDL_SetClipboardText("nothing");
+        State const before = stateOf(designer, !owner.copies);
+        render::pushKey(window(), chord.key, true, modifiersOf(chord));
+        render::pushKey(window(), chord.key, false, KMOD_NONE);
+        designer.frame(); // what comes a picture later is found with the next key
+        EXPECT_TRUE(stateOf(designer, !owner.copies) == before) << nameOf(chord);
+        if (endsOrEdits(chord)) {
+            owner.close(designer); // as it was for the next key
+            designer.frames(1);
+            if (designer.app().menu().isOpen()) { // it had been closed by the key
+                designer.key(SDLK_ESCAPE);
             }
         }
-        owner.close(designer);
-        designer.frames(2);
     }
+    State const before = stateOf(designer, !owner.copies);
+    designer.frames(2);
+    EXPECT_TRUE(stateOf(designer, !owner.copies) == before) << "after the last key";
 }
 
 TEST(KeysOwner, TheSameKeysRunCommandsWhileNothingIsOpen) {

@@ -43,10 +43,12 @@ void drawWith(Designer& designer, Tool tool, Vec2 by) {
 }
 
 TEST(StayingTools, EachStaysUntilItIsPutAway) {
+    Designer designer;
+    designer.editText(room);
     for (Tool const tool : {Tool::box, Tool::disc, Tool::capsule, Tool::polygon, Tool::joint, Tool::wire,
                             Tool::placing, Tool::goalArea}) {
-        Designer designer;
-        designer.editText(room);
+        designer.parts().document.goTo(0);
+        designer.frames(2);
         designer.parts().selection.set({"ball"});
         auto const key = static_cast<SDL_Keycode>(SDLK_1 + static_cast<int>(tool));
         designer.key(key);

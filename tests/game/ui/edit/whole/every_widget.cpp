@@ -21,13 +21,14 @@ void EveryWidget::usePage(Tab tab) {
     designer_.parts().tab = tab;
     designer_.frames(2);
     std::vector<std::string> items;
-    Places seen;
+    std::string const page =
+        std::to_string(static_cast<int>(tab)) + std::to_string(static_cast<int>(designer_.parts().goalTree));
     auto const panel = designer_.layout().card("panel");
     ASSERT_TRUE(panel);
     for (Placed const& item : designer_.layout().items()) {
         bool const inside = item.rect.low.x >= panel->low.x && item.rect.low.y > panel->low.y + 60;
         bool const switches = item.name.starts_with("tree "); // to the other tree of goals
-        if (inside && !switches && seen.insert(every_widget::kindOf(item.name)).second) {
+        if (inside && !switches && used_.insert(page + every_widget::kindOf(item.name)).second) {
             items.push_back(item.name);
         }
     }
@@ -110,9 +111,12 @@ void EveryWidget::use(std::string const& item) {
 }
 
 std::vector<std::string> EveryWidget::choicesOf(std::string const& item) {
+    // What is added differs with the kind of goal, step or input; one object or part is as good as another.
+    bool const kinds = item == "add goal" || item == "add step" || item == "add inputs";
+    std::size_t const most = kinds ? 20 : 3;
     std::vector<std::string> choices;
     for (Placed const& shown : designer_.layout().items()) {
-        if (shown.name.starts_with(item + " = ") && choices.size() < 20) {
+        if (shown.name.starts_with(item + " = ") && choices.size() < most) {
             choices.push_back(shown.name);
         }
     }

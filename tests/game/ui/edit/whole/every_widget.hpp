@@ -3,6 +3,7 @@
 
 #include "tests/game/ui/edit/whole/schema_places.hpp"
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,8 @@ public:
     /// What has changed so far.
     Places places;
 
+    /// Of widgets that are alike, as the texts of hints, one is used; and of those that were on the page
+    /// before, as another object or goal was chosen, none again.
     void usePage(Tab tab);
     void runEveryCommand();
 
@@ -27,12 +30,13 @@ private:
     bool takeBack();
     void leaveField();
     void use(std::string const& item);
-    /// The first choices of a list that has dropped down; there may be as many as there are parts.
+    /// The first choices of a list that has dropped down, or, if each may make something else, all of them.
     [[nodiscard]] std::vector<std::string> choicesOf(std::string const& item);
     /// An open list gives each of its choices; a field takes a word.
     void chooseOrType(std::string const& item);
 
     Designer& designer_;
+    std::set<std::string> used_;
 };
 
 } // namespace trembler::ui::test

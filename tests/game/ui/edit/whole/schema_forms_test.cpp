@@ -5,8 +5,9 @@
 #include "puzzle/data/published_schema.hpp"
 #include "tests/game/ui/edit/whole/every_widget.hpp"
 
+#include <algorithm>
 #include <regex>
-#include <set>
+#include <string>
 
 namespace trembler::ui::test {
 namespace schema_forms_test {
@@ -36,17 +37,88 @@ char const* const oneOfEach =
                    {"frame": 5, "release": true}, {"frame": 6, "cut": ["left", "right"]},
                    {"frame": 7, "remove": "ball"}]}]})";
 
-TEST(SchemaForms, SetWhateverALevelFileMayState) {
-    Json const schema = publishedSchema();
-    Places const wanted = placesOf(schema);
-    Designer designer({1280, 6000}); // every widget is in sight
-    designer.editText(oneOfEach);
-    designer.parts().dialogs.close();
-    designer.frames(2);
-    ASSERT_TRUE(designer.parts().problems.all().empty())
-        << designer.parts().problems.all().front().diagnostic.message;
-    EveryWidget every(designer);
+/// The pages and commands by which a place of a file is set. Each has a test, and each place of the schema is
+/// looked for in one of them.
+enum class By { level, goals, solutions, scene };
+
+By settingOf(std::string const& place) {
+    if (place.starts_with("/goals") || place.starts_with("/task")) {
+        return By::goals;
+    }
+    if (place.starts_with("/solutions")) {
+        return By::solutions;
+    }
+    for (char const* const list : {"/objects", "/joints", "/connections", "/placing", "/editor"}) {
+        if (place.starts_with(list)) {
+            return By::scene;
+        }
+    }
+    return By::level;
+}
+
+class SchemaForms : public testing::Test {
+protected:
+    SchemaForms() {
+        designer.editText(oneOfEach);
+        designer.parts().dialogs.close();
+        designer.frames(2);
+        EXPECT_TRUE(designer.parts().problems.all().empty());
+    }
+    /// Of any key that the places of the schema have, one is enough.
+    [[nodiscard]] bool wasSet(std::string const& place) const {
+        // A condition may lie in a list of conditions.
+        std::size_t const last = place.rfind('/');
+        bool const ofGoal = place.starts_with("/goals/") || place.starts_with("/task/");
+        std::string pattern = std::regex_replace(place, std::regex(R"([\[\]])"), "\\$&");
+        pattern = std::regex_replace(pattern, std::regex(R"(\*)"), "[^/]+");
+        std::regex const like(pattern);
+        return std::any_of(every.places.begin(), every.places.end(), [&](std::string const& had) {
+            return ofGoal ? had.starts_with(place.substr(0, last + 1)) && had.ends_with(place.substr(last))
+                          : std::regex_match(had, like);
+        });
+    }
+    void expectAllSet(By by, std::size_t least) const {
+        Json const schema = publishedSchema();
+        std::size_t wanted = 0;
+        for (std::string const& place : placesOf(schema)) {
+            if (settingOf(place) == by && isOfThePages(schema, place)) {
+                ++wanted;
+                EXPECT_TRUE(wasSet(place)) << place << " cannot be set in the editor";
+            }
+        }
+        EXPECT_GE(wanted, least);
+    }
+
+    Designer designer{{1280, 6000}}; // every widget is in sight
+    EveryWidget every{designer};
+
+private:
+    static bool isOfThePages(Json const& schema, std::string const& place) {
+        // Written by the editor itself: the format's version, and which schema the author's text editor uses.
+        if (place == "/version" || place == "/$schema") {
+            return false;
+        }
+        // Described once for files and forms.
+        for (auto const& property : schema["properties"]["world"]["properties"].items()) {
+            bool const here = property.key() == "bounds" || property.key() == "detail";
+            if (!here && place.starts_with("/world/" + property.key())) {
+                return false;
+            }
+        }
+        // Their forms are made from the schema: tests/puzzle/edit/inspect/solution_forms_test.cpp.
+        auto const lists = edit::solutionLists(schema);
+        return std::none_of(lists.begin(), lists.end(), [&](edit::EntryList const& list) {
+            return place.starts_with("/solutions/[]/" + list.key + "/");
+        });
+    }
+};
+
+TEST_F(SchemaForms, OfTheLevelSetWhateverAFileMayState) {
     every.usePage(Tab::level);
+    expectAllSet(By::level, 30);
+}
+
+TEST_F(SchemaForms, OfGoalsSetWhateverAFileMayState) {
     every.usePage(Tab::goals);
     designer.clickItem("goal "); // its fields
     every.usePage(Tab::goals);
@@ -54,51 +126,30 @@ TEST(SchemaForms, SetWhateverALevelFileMayState) {
     every.usePage(Tab::goals);
     designer.clickItem("goal ");
     every.usePage(Tab::goals);
+    expectAllSet(By::goals, 30);
+}
+
+TEST_F(SchemaForms, OfSolutionsSetWhateverAFileMayState) {
     designer.parts().tab = Tab::solutions;
     designer.frames(2);
     every.usePage(Tab::solutions);
     designer.frames(EveryWidget::pause);
     designer.clickItem("solution 0 entries");
     every.usePage(Tab::solutions);
+    expectAllSet(By::solutions, 5);
+}
+
+TEST_F(SchemaForms, OfObjectsAndCommandsSetWhateverAFileMayState) {
     every.runEveryCommand();
     designer.parts().selection.set({"ball"});
     every.usePage(Tab::properties);
     designer.parts().selection.choose(EntryKind::connection, "/connections/0");
     every.usePage(Tab::properties);
-    // Of any key that the places of the schema have, one is enough.
-    std::set<std::string> missing;
-    for (std::string place : wanted) {
-        // A condition may lie in a list of conditions.
-        std::size_t const last = place.rfind('/');
-        bool const ofGoal = place.starts_with("/goals/") || place.starts_with("/task/");
-        std::string pattern = std::regex_replace(place, std::regex(R"([\[\]])"), "\\$&");
-        pattern = std::regex_replace(pattern, std::regex(R"(\*)"), "[^/]+");
-        std::regex const like(pattern);
-        bool const found = std::any_of(every.places.begin(), every.places.end(), [&](std::string const& had) {
-            return ofGoal ? had.starts_with(place.substr(0, last + 1)) && had.ends_with(place.substr(last))
-                          : std::regex_match(had, like);
-        });
-        if (!found) {
-            missing.insert(place);
-        }
-    }
-    // Written by the editor itself: the format's version, and which schema the author's text editor uses.
-    EXPECT_EQ(missing.erase("/version") + missing.erase("/$schema"), 2U);
-    for (auto const& property : schema["properties"]["world"]["properties"].items()) {
-        std::string const place = "/world/" + property.key();
-        if (property.key() != "bounds" && property.key() != "detail") { // described once for files and forms
-            std::erase_if(missing, [&](std::string const& one) { return one.starts_with(place); });
-        }
-    }
-    // Their forms are made from the schema: tests/puzzle/edit/inspect/solution_forms_test.cpp.
-    for (edit::EntryList const& list : edit::solutionLists(schema)) {
-        std::string const place = "/solutions/[]/" + list.key + "/";
-        std::erase_if(missing, [&](std::string const& one) { return one.starts_with(place); });
-    }
-    for (std::string const& place : missing) {
-        ADD_FAILURE() << place << " cannot be set in the editor";
-    }
-    EXPECT_GT(wanted.size(), 100U);
+    expectAllSet(By::scene, 5);
+}
+
+TEST(SchemaPlaces, AreMoreThanAHundred) {
+    EXPECT_GT(placesOf(publishedSchema()).size(), 100U);
 }
 
 } // namespace
