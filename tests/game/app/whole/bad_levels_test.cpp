@@ -11,10 +11,14 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cstdlib>
 #include <iostream>
+#include <map>
 #include <optional>
 #include <random>
 #include <sstream>
+#include <unistd.h>
+#include <utility>
 
 namespace trembler::test {
 namespace {
@@ -40,11 +44,60 @@ Said said(std::vector<std::string> const& arguments) {
     return {status, request.err + err.str()};
 }
 
+fs::path wholeLevel() {
+    return levelFile("experiments/1-switched-electromagnet.json");
+}
+
+/// A TREMBLER_HOME with those parts only that the level names, and those that they consist of: each command
+/// reads all parts, which would take nearly all of the time.
+class HomeWithFewParts {
+public:
+    HomeWithFewParts() {
+        if (char const* const stated = std::getenv("TREMBLER_HOME")) {
+            before_ = stated;
+        }
+        fs::remove_all(folder_);
+        fs::create_directories(folder_ / "levels");
+        fs::path const copies = folder_ / "assets" / "parts";
+        fs::create_directories(copies);
+        std::map<std::string, fs::path> files; // by the name of the part
+        for (auto const& entry : fs::directory_iterator(homeFolder() / "assets" / "parts")) {
+            files[json::parse(contentsOf(entry.path())).at("name").get<std::string>()] = entry.path();
+        }
+        std::string all = contentsOf(wholeLevel());
+        for (bool more = true; std::exchange(more, false);) {
+            for (auto const& [name, file] : files) {
+                if (all.find('"' + name + '"') != std::string::npos &&
+                    !fs::exists(copies / file.filename())) {
+                    fs::copy_file(file, copies / file.filename());
+                    all += contentsOf(file);
+                    more = true;
+                }
+            }
+        }
+        ::setenv("TREMBLER_HOME", folder_.c_str(), 1);
+    }
+    ~HomeWithFewParts() {
+        if (before_) {
+            ::setenv("TREMBLER_HOME", before_->c_str(), 1);
+        } else {
+            ::unsetenv("TREMBLER_HOME");
+        }
+        fs::remove_all(folder_);
+    }
+    HomeWithFewParts(HomeWithFewParts const&) = delete;
+    HomeWithFewParts& operator=(HomeWithFewParts const&) = delete;
+
+private:
+    fs::path const folder_ = fs::path(testing::TempDir()) / ("few parts " + std::to_string(::getpid()));
+    std::optional<std::string> before_;
+};
+
 class BadLevels : public InAFolder {
 protected:
     /// A demonstration that has every section.
     static json whole() {
-        json level = json::parse(contentsOf(levelFile("experiments/1-switched-electromagnet.json")));
+        json level = json::parse(contentsOf(wholeLevel()));
         for (char const* const section :
              {"goals", "task", "texts", "hints", "toolbox", "placing", "solutions"}) {
             EXPECT_TRUE(level.contains(section)) << section;
@@ -105,6 +158,7 @@ protected:
         EXPECT_FALSE(verifyLevel(data, file).empty()) << what;
     }
 
+    HomeWithFewParts const fewParts; // before the data
     GameData const data;
 };
 
