@@ -9,6 +9,7 @@
 #include "puzzle/edit/commands/objects.hpp"
 #include "puzzle/edit/commands/own_parts.hpp"
 #include "puzzle/edit/commands/properties.hpp"
+#include "puzzle/edit/commands/rotate_on_grid.hpp"
 #include "puzzle/edit/commands/shapes.hpp"
 #include "puzzle/edit/commands/solutions.hpp"
 #include "puzzle/edit/commands/translations.hpp"
@@ -114,7 +115,8 @@ Command anyCommand(LevelDocument const& document, std::function<int(int)> const&
     case 9:
         return rotateObjects(data, level, {one()}, number(), point());
     case 10:
-        return rotateObjects(data, level, some(), number() * 10, point());
+        return next(2) == 0 ? rotateObjects(data, level, some(), number() * 10, point())
+                            : rotateOnGrid(data, level, some(), 90 * next(4), point(), 0.1);
     case 11:
         return scaleObjects(data, level, some(), {1.5, 1.5}, point());
     case 12:
