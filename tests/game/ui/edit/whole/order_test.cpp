@@ -140,17 +140,20 @@ TEST(EditorOrder, ANumberWithoutEndIsTheNumberBeforeAgain) {
     press("tool 0 down");
     press("tool 1 unlimited");
     EXPECT_EQ(designer.tree()["toolbox"][1]["count"].dump(), "2");
-    // One that was unlimited in the file has no number before.
+}
+
+// It has no number before.
+TEST(EditorOrder, ANumberThatIsWithoutEndInTheFileBecomesOne) {
     std::string level = orderedLevel;
     level.replace(level.find("\"count\": 2"), 10, "\"count\": \"unlimited\"");
-    Designer other;
-    other.editText(level);
-    other.key(SDLK_F6);
-    other.frames(3);
-    other.seek("tool 0 unlimited");
-    other.clickItem("tool 0 unlimited");
-    other.frames(2);
-    EXPECT_EQ(other.tree()["toolbox"][0]["count"].dump(), "1");
+    Designer designer;
+    designer.editText(level);
+    designer.key(SDLK_F6);
+    designer.frames(3);
+    designer.seek("tool 0 unlimited");
+    designer.clickItem("tool 0 unlimited");
+    designer.frames(2);
+    EXPECT_EQ(designer.tree()["toolbox"][0]["count"].dump(), "1");
 }
 
 TEST(EditorOrder, OfSolutionsBesideUnreadableOnes) {
