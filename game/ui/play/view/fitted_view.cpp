@@ -60,10 +60,8 @@ void FittedView::follow(PlayParts& parts, bool cards) {
     timeline_ = parts.timeline.shown() ? parts.timeline.height() : 0;
     opened_ = {};
     ofPast_.reset();
-    goalShown_ = true;
     if (cards) {
         lookAtPast(parts);
-        goalShown_ = !ofPast_ || parts.context.layout.card("goal"); // such a card may take its room
     }
     if (wanted && cards) {
         lookAtOpened(parts);
@@ -161,9 +159,14 @@ std::optional<Rect> FittedView::toolboxPlace(PlayParts const& parts) const {
                 {right, window_.height - scale_ * static_cast<double>(bottomRow)}};
 }
 
-FittedView::Cards FittedView::onlyGoal(bool withOpened) const {
-    auto const& goal = standing_[goalIndex];
-    return goal && (goalShown_ || !withOpened) ? Cards{*goal} : Cards{};
+/// Beside a card of the past as it is now: the goals may have made way for it, and the buttons of a run be
+/// more.
+std::optional<Rect> FittedView::standing(PlayParts const& parts, std::size_t i, bool withOpened) const {
+    if (!withOpened || !ofPast_ || i == toolboxIndex) {
+        return standing_[i];
+    }
+    auto const now = parts.context.layout.card(standingCards[i]);
+    return now && i == goalIndex ? standing_[i] : now; // the goals are higher while the player builds
 }
 
 FittedView::Cards FittedView::obstacles(PlayParts const& parts, bool withOpened) const {
@@ -175,9 +178,7 @@ FittedView::Cards FittedView::obstacles(PlayParts const& parts, bool withOpened)
         }
     };
     for (std::size_t i = 0; i < standing_.size(); ++i) {
-        if (i != goalIndex || goalShown_ || !withOpened) {
-            add(standing_[i]);
-        }
+        add(standing(parts, i, withOpened));
     }
     add(toolboxPlace(parts));
     if (withOpened) {
@@ -195,7 +196,10 @@ FittedView::Cards FittedView::obstacles(PlayParts const& parts, bool withOpened)
 void FittedView::fit(PlayParts& parts) const {
     auto const fitted = [&](bool withOpened, double least) {
         Cards const cards = obstacles(parts, withOpened);
-        Cards const goal = onlyGoal(withOpened);
+        Cards goal;
+        if (auto const card = standing(parts, goalIndex, withOpened)) {
+            goal.push_back(*card);
+        }
         bool const past = withOpened && timeline_ > 0; // then no part is held
         std::array const groups{FitGroup{extents_.seen, cards}, FitGroup{extents_.around, goal},
                                 FitGroup{extents_.places, past ? goal : cards}};

@@ -49,7 +49,7 @@ private:
     void setStage(PlayParts& parts);
     void fit(PlayParts& parts) const;
     [[nodiscard]] std::optional<Rect> toolboxPlace(PlayParts const& parts) const;
-    [[nodiscard]] Cards onlyGoal(bool withOpened) const;
+    [[nodiscard]] std::optional<Rect> standing(PlayParts const& parts, std::size_t i, bool withOpened) const;
     [[nodiscard]] Cards obstacles(PlayParts const& parts, bool withOpened) const;
 
     std::array<std::optional<Rect>, 5> standing_;
@@ -60,7 +60,6 @@ private:
     float timeline_ = 0;                        ///< its height, pixels at UI scale 1
     LevelExtents extents_;
     Rect stage_;
-    bool goalShown_ = true;   ///< beside the card of the past
     double goalHeight_ = 140; ///< of its card while the player builds, pixels at UI scale 1
     int pictures_ = 0;        ///< with cards of this window since it has its size; -1: the view is fitted
     bool wasBuilding_ = true;

@@ -178,7 +178,7 @@ TEST(FittedView, NothingLiesUnderTheCardsOfThePast) {
         player.frames(4);
         EXPECT_EQ(player.play().camera().centre, before.centre) << "what opens moves nothing";
         fit(player);
-        for (char const* const card : {"timeline", "what if lane", "what if"}) {
+        for (char const* const card : {"timeline", "what if lane", "what if", "corner"}) {
             expectUncovered(player, card);
         }
         player.look("fitted-what-if-" + std::to_string(size.width));
