@@ -19,7 +19,8 @@ struct Annotated {
         text = annotationText(reference);
     }
     bool has(std::string const& part) const { return text.find(part) != std::string::npos; }
-    /// Whether a field is named with something behind its name. A regular expression takes minutes with checks.
+    /// Whether a field is named with something behind its name. A regular expression takes minutes with
+    /// checks.
     bool hasField(std::string const& name) const {
         for (std::string const& written : {"---@field " + name + " ", "---@field " + name + "? "}) {
             std::size_t const at = text.find(written);

@@ -42,7 +42,7 @@ TEST_F(ReadLevel, OtherWordsAndNumbersAreNoCounts) {
     for (char const* const wrong : {"\"endless\"", "\"Unlimited\"", "\"\"", "0", "-1", "1001", "2147483647",
                                     "1.5", "true", "null", "[]", "{}"}) {
         for (std::string const& entry : {std::string(R"({"part": "a", "count": )") + wrong + "}",
-                                        std::string(R"({"wire": )") + wrong + "}"}) {
+                                         std::string(R"({"wire": )") + wrong + "}"}) {
             auto const problems = problemsWith("\"toolbox\": [" + entry + "]");
             ASSERT_EQ(problems.size(), 1U) << entry;
             EXPECT_NE(problems[0].find("from 1 to 1000"), std::string::npos) << problems[0];
