@@ -116,8 +116,9 @@ std::string StageSession::place() {
 
 std::string StageSession::movePlaced() {
     auto const& placed = player_.session().placed();
-    if (placed.empty() || player_.play().placing().carried() || player_.play().wires().laying() ||
-        player_.play().wires().cutting()) {
+    bool const building = player_.session().mode() == SessionMode::building; // in a run see grab()
+    if (!building || placed.empty() || player_.play().placing().carried() ||
+        player_.play().wires().laying() || player_.play().wires().cutting()) {
         return "nothing to move";
     }
     PlacedPart const part = placed[below(placed.size())];

@@ -12,7 +12,9 @@
 #include <array>
 #include <charconv>
 #include <cstdlib>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace trembler::ui::test {
@@ -490,39 +492,55 @@ TEST(Stage, IsTheSameInTheTestOfTheEditor) {
     }
 }
 
-/// A few, or as many as TREMBLER_SESSIONS in the environment says.
-std::size_t sessionCount() {
-    std::size_t count = 20;
-    if (char const* const stated = std::getenv("TREMBLER_SESSIONS")) {
-        std::string_view const digits(stated);
-        std::from_chars(digits.data(), digits.data() + digits.size(), count);
+std::optional<std::size_t> numberIn(char const* variable) {
+    char const* const stated = std::getenv(variable);
+    if (stated == nullptr) {
+        return {};
     }
-    return count;
+    std::size_t number = 0;
+    std::string_view const digits(stated);
+    std::from_chars(digits.data(), digits.data() + digits.size(), number);
+    return number;
 }
 
+int failuresSoFar() {
+    return testing::UnitTest::GetInstance()->current_test_info()->result()->total_part_count();
+}
+
+/// Fails if something but the player moves the scene.
+void playRandomly(Player& player, std::vector<std::filesystem::path> const& levels, render::Size size,
+                  std::size_t number) {
+    std::mt19937_64 choice(number);
+    bool const free = number % 7 == 3; // at each of the sizes in turn
+    auto const& level = free ? freePlay : levels[choice() % levels.size()];
+    std::string const where = level.string() + " at " + sized(size) + ", session " + std::to_string(number);
+    resizeWindow(player, size);
+    enter(player, level);
+    player.frames(4);
+    ASSERT_FALSE(player.play().settles()) << where;
+    int const before = failuresSoFar();
+    expectStage(player, where);
+    StageSession session(player, number);
+    for (int acts = 0; acts < 30 && session.goesOn() && failuresSoFar() == before; ++acts) {
+        session.act();
+    }
+    ASSERT_EQ(failuresSoFar(), before) << where << session.story();
+}
+
+// A few sessions, or as many as TREMBLER_SESSIONS in the environment says, or only that of the number
+// TREMBLER_SESSION.
 TEST(Stage, IsMovedOnlyByThePlayerInRandomSessions) {
     std::vector<std::filesystem::path> const levels = allLevels();
-    std::size_t const count = sessionCount();
-    for (std::size_t s = 0; s < stageSizes.size();
-         ++s) { // all sessions of a size together: letters are loaded once
-        Player player(stageSizes[s]);
+    auto const only = numberIn("TREMBLER_SESSION");
+    std::size_t const count = only ? *only + 1 : numberIn("TREMBLER_SESSIONS").value_or(20);
+    for (std::size_t s = 0; s < stageSizes.size(); ++s) {
+        if (only && s != *only % stageSizes.size()) {
+            continue;
+        }
+        Player player(stageSizes[s]); // all sessions of a size together: letters are loaded once
         changeSettings(player.app().context(), {.reducedMotion = true, .language = "en"});
-        for (std::size_t i = s; i < count; i += stageSizes.size()) {
-            std::mt19937_64 choice(i);
-            bool const free = i % 7 == 3; // at each of the sizes in turn
-            auto const& level = free ? freePlay : levels[choice() % levels.size()];
-            resizeWindow(player, stageSizes[s]);
-            enter(player, level);
-            player.frames(4);
-            std::string const where =
-                level.string() + " at " + sized(stageSizes[s]) + ", session " + std::to_string(i);
-            ASSERT_FALSE(player.play().settles()) << where;
-            expectStage(player, where);
-            StageSession session(player, i);
-            for (int acts = 0; acts < 30 && session.goesOn() && !testing::Test::HasFailure(); ++acts) {
-                session.act();
-            }
-            ASSERT_FALSE(testing::Test::HasFailure()) << where << session.story();
+        for (std::size_t i = only.value_or(s); i < count; i += stageSizes.size()) {
+            playRandomly(player, levels, stageSizes[s], i);
         }
     }
 }
