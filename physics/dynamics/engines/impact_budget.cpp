@@ -84,11 +84,28 @@ void ImpactBudget::settle(std::vector<Impact>& impacts) {
             SlotIndex const root = rootOf(one.slot);
             energy = std::max({energy, lost_[root], approach_[root]});
         }
-        Impact impact = one.impact;
-        impact.impulse = std::min(impact.impulse, greatestImpulse(energy, one.inverse));
-        if (impact.impulse * one.lightness > faintestImpact) {
-            impacts.push_back(impact);
+        append(one, energy, impacts);
+    }
+}
+
+void ImpactBudget::settleGroup(double had, double lost, std::vector<Impact>& impacts) {
+    double shared = 0;
+    if (exceeded()) {
+        for (Candidate const& one : candidates_) {
+            shared += one.approach;
         }
+        shared = std::max(std::min(shared, had), lost); // one body's approaches to several others add up
+    }
+    for (Candidate const& one : candidates_) {
+        append(one, std::max(one.approach, shared), impacts);
+    }
+}
+
+void ImpactBudget::append(Candidate const& one, double energy, std::vector<Impact>& impacts) {
+    Impact impact = one.impact;
+    impact.impulse = std::min(impact.impulse, greatestImpulse(energy, one.inverse));
+    if (impact.impulse * one.lightness > faintestImpact) {
+        impacts.push_back(impact);
     }
 }
 

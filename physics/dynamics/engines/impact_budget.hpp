@@ -19,7 +19,8 @@ namespace trembler {
 ///   substep, or the energies of approach between them, as bodies in between transmit impacts.
 ///
 /// For each substep: begin(), add() for every rise of an impulse, and, if exceeded(), reset(), link() and
-/// lose(), then settle(). Used by one thread at a time.
+/// lose(), then settle(). If all candidates are known to be of one group of connected bodies: begin(), add(),
+/// and settleGroup(). Used by one thread at a time.
 class ImpactBudget {
 public:
     /// A body before the impact; a fixed one has inverses and velocities of 0.
@@ -51,6 +52,9 @@ public:
 
     /// Appends the impacts that remain, with limited impulses, in the order of add().
     void settle(std::vector<Impact>& impacts);
+    /// The same, with all candidates in one group of connected bodies, which had the kinetic energy `had` (J)
+    /// and have lost `lost` of it in the substep.
+    void settleGroup(double had, double lost, std::vector<Impact>& impacts);
 
 private:
     struct Candidate {
@@ -61,6 +65,7 @@ private:
         double lightness = 0; // 1/kg, the sum of the inverse masses
     };
     [[nodiscard]] SlotIndex rootOf(SlotIndex slot);
+    static void append(Candidate const& one, double energy, std::vector<Impact>& impacts);
 
     std::vector<Candidate> candidates_;
     std::vector<SlotIndex> parents_; // by slot

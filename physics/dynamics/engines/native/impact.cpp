@@ -160,7 +160,9 @@ void IslandSolver::bounce(double ahead) {
         }
     }
     for (ContactRow* const row : near) {
-        noteImpact(*row, row->detail->struck);
+        if (auto const impact = impactOf(*row, row->detail->struck)) {
+            engine_.impacts_.push_back(*impact);
+        }
     }
 }
 

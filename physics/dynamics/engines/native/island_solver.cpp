@@ -13,10 +13,12 @@ namespace {
 // is not followed by the substeps.
 constexpr double contactShare = 0.25;
 constexpr double contactDamping = 10;
+// Per step, the share by which the force at which a spring is not compressed follows most of the present one,
+// so that bodies at rest do not sink in. All of it, or faster, and a pile would never come to rest.
+constexpr double steadyRate = 0.08;
+constexpr double steadyPart = 0.95;
 // A change of velocity up to this multiple of that by loads is one by steady forces, such as friction, and
-// not an impact. Per step, the share by which the force at which a spring is not compressed follows the
-// present one: slowly, so that it adds no energy, but bodies at rest do not sink in.
-constexpr double steadyRate = 0.05;
+// not an impact.
 constexpr double steadyShare = 2.5;
 // With r the mass that rests on a body as a multiple of its own, 0.9 √r substeps hold a stack
 // (docs/measurements).
@@ -24,8 +26,9 @@ constexpr double stackFactor = 0.9;
 constexpr double mostSubsteps = 64;
 constexpr int leastSubsteps = 4;
 // Contacts are solved at once if one bears this multiple of a body's weight, or if masses that touch differ
-// so.
-constexpr double unequal = 3;
+// so much. In piles of equal bodies, whose forces are not determined, this would never come to rest.
+constexpr double unequalLoads = 50;
+constexpr double unequalMasses = 3;
 constexpr std::size_t mostExactContacts = 150;
 // A substep in which joints cannot be closed is split in two, up to so many times.
 constexpr int mostHalvings = 6;
@@ -40,6 +43,13 @@ constexpr int mostIntervals = 64;
 // Impacts at their exact times, of a small island; in a large one bodies bounce up to a substep early.
 constexpr int mostHits = 16;
 constexpr std::size_t smallIsland = 128;
+constexpr int roundsOfStack = 2;
+constexpr int roundsOfImpact = 12;
+constexpr double fastImpact = 0.5; // m/s
+// Contacts may add this share to the bodies' kinetic energy, and that of so many m/s, as roundings and
+// overlaps that are closed do.
+constexpr double mostExcess = 0.05;
+constexpr double slowestExcess = 0.1;
 
 } // namespace
 
@@ -86,7 +96,6 @@ bool IslandSolver::wantsExactContacts() const {
     if (island_.contacts.empty() || island_.contacts.size() > mostExactContacts) {
         return false;
     }
-    double most = 0;
     for (std::uint32_t const i : island_.contacts) {
         Contact const& contact = engine_.contacts_[i];
         if (!contact.used) {
@@ -95,17 +104,17 @@ bool IslandSolver::wantsExactContacts() const {
         double const pressure = contact.force[0] + contact.force[1];
         double const a = stateOf(contact.a).inverseMass;
         double const b = stateOf(contact.b).inverseMass;
-        if (a > 0 && b > 0) {
-            most = std::max(most, std::max(a, b) / std::min(a, b));
+        if (a > 0 && b > 0 && std::max(a, b) > unequalMasses * std::min(a, b)) {
+            return true;
         }
         for (SlotIndex const slot : {contact.a, contact.b}) {
             double const weight = length(engine_.bodies_[slot].load.force);
-            if (weight > 0) {
-                most = std::max(most, pressure / weight);
+            if (weight > 0 && pressure > unequalLoads * weight) {
+                return true;
             }
         }
     }
-    return most > unequal;
+    return false;
 }
 
 // --- intervals
@@ -232,7 +241,7 @@ void IslandSolver::run(double duration) {
     for (ContactRow& row : rows_) {
         for (std::size_t n = 0; n < static_cast<std::size_t>(row.count); ++n) {
             Contact& contact = *row.detail->contact;
-            contact.steady[n] += steadyRate * (contact.force[n] - contact.steady[n]);
+            contact.steady[n] += steadyRate * (steadyPart * contact.force[n] - contact.steady[n]);
         }
     }
     for (SlotIndex const slot : island_.bodies) {
@@ -326,6 +335,15 @@ void IslandSolver::push(ContactRow const& row, PointRow const& point, double nor
 // --- a substep
 // ------------------------------------------------------------------------------------------------
 
+namespace {
+
+// exp(-x) to the second order, and between 0 and 1 for any x, however strong the damping.
+double decay(double x) {
+    return 1 / (1 + x * (1 + x / 2));
+}
+
+} // namespace
+
 void IslandSolver::accelerate(SlotIndex slot, double h) {
     MovingState& state = stateOf(slot);
     BodyEntry const& entry = engine_.bodies_[slot];
@@ -340,8 +358,8 @@ void IslandSolver::accelerate(SlotIndex slot, double h) {
     }
     state.velocity += state.inverseMass * push.linear;
     state.spin += state.inverseInertia * push.angular;
-    state.velocity *= 1 / (1 + h * entry.damping.linear); // implicit Euler
-    state.spin *= 1 / (1 + h * entry.damping.angular);
+    state.velocity *= decay(h * entry.damping.linear);
+    state.spin *= decay(h * entry.damping.angular);
     state.accelerated = state.velocity - state.velocityBefore;
     state.accelerates = state.spin - state.spinBefore;
 }
@@ -556,6 +574,24 @@ void IslandSolver::move(double h) {
     }
 }
 
+// Bodies that rest on others need more than one; so do the chains of a small island through which an impact
+// goes, or a box that lands on a box would tilt it.
+int IslandSolver::contactRounds(double h) const {
+    if (island_.bodies.size() == 1) {
+        return 1;
+    }
+    if (island_.bodies.size() <= smallIsland) {
+        for (ContactRow const& row : rows_) {
+            for (std::size_t n = 0; n < static_cast<std::size_t>(row.count); ++n) {
+                if (-normalSpeed(row, row.points[n]) - std::max(0.0, gapOf(row, n)) / h > fastImpact) {
+                    return roundsOfImpact;
+                }
+            }
+        }
+    }
+    return roundsOfStack;
+}
+
 void IslandSolver::substep(double h, int halvings) {
     bool const again =
         exactContacts_ || (!island_.joints.empty() && halvings < mostHalvings && splits_ < mostSplits);
@@ -567,13 +603,30 @@ void IslandSolver::substep(double h, int halvings) {
         stateOf(slot).borne = Borne::not_at_all;
     }
     if (island_.joints.empty() && !exactContacts_) {
+        int const rounds = contactRounds(h);
+        auto const solve = [&](bool bias) {
+            for (int i = 0; i < rounds; ++i) {
+                solveContacts(h, bias);
+            }
+        };
         startRows(h);
-        solveContacts(h, true);
+        solve(true);
+        if (springsBack(fastestParting)) {
+            startAnew();
+            startRows(h);
+            solve(true);
+            holdBack(fastestParting);
+        }
         move(h);
-        solveContacts(h, false);
+        solve(false);
+        holdBack(slowestExcess);
     } else if (!joinedSubstep(h)) {
         if (again) {
+            bool const springs = gainOf(h) > 1;
             restore();
+            if (springs) {
+                forgetForces();
+            }
             if (exactContacts_) { // for the rest of the step
                 exactContacts_ = false;
                 substep(h, halvings);
@@ -596,8 +649,84 @@ void IslandSolver::substep(double h, int halvings) {
     since_ += h;
 }
 
+// Pieces that overlap on two sides are pressed ever harder by springs that contradict each other, without
+// moving. This stress must not become motion when they slip.
+double IslandSolver::excess(double fastest) const {
+    double allowed = 0;
+    double now = 0;
+    for (SlotIndex const slot : island_.bodies) {
+        BodyEntry const& entry = engine_.bodies_[slot];
+        MovingState const& state = stateOf(slot);
+        ImpactBudget::Body const free = beforeImpact(slot);
+        allowed +=
+            (1 + mostExcess) *
+                std::max(kineticEnergy(entry.mass, entry.inertia, state.velocityBefore, state.spinBefore),
+                         kineticEnergy(entry.mass, entry.inertia, free.velocity, free.spin)) +
+            entry.mass * fastest * fastest / 2;
+        now += kineticEnergy(entry.mass, entry.inertia, state.velocity, state.spin);
+    }
+    return now / allowed;
+}
+
+void IslandSolver::startAnew() {
+    for (SlotIndex const slot : island_.bodies) {
+        MovingState& state = stateOf(slot);
+        state.velocity = state.velocityBefore + state.accelerated;
+        state.spin = state.spinBefore + state.accelerates;
+    }
+    forgetForces();
+}
+
+void IslandSolver::forgetForces() {
+    for (ContactRow& row : rows_) {
+        row.detail->contact->force = row.detail->contact->drag = {};
+    }
+}
+
+void IslandSolver::holdBack(double fastest) {
+    double const gain = excess(fastest);
+    if (gain <= 1) {
+        return;
+    }
+    double const share = std::sqrt(1 / gain);
+    for (SlotIndex const slot : island_.bodies) {
+        stateOf(slot).velocity *= share;
+        stateOf(slot).spin *= share;
+    }
+}
+
+ImpactBudget::Body IslandSolver::beforeImpact(SlotIndex slot) const {
+    MovingState const& state = stateOf(slot);
+    return {.inverseMass = state.inverseMass,
+            .inverseInertia = state.inverseInertia,
+            .centre = engine_.bodies_[slot].centre,
+            .velocity = state.velocityBefore + state.accelerated,
+            .spin = state.spinBefore + state.accelerates};
+}
+
+void IslandSolver::settleImpacts() {
+    ImpactBudget& budget = engine_.budget_;
+    double had = 0;
+    double lost = 0;
+    if (!budget.exceeded()) {
+        budget.settleGroup(had, lost, engine_.impacts_);
+        return;
+    }
+    for (SlotIndex const slot : island_.bodies) {
+        BodyEntry const& entry = engine_.bodies_[slot];
+        MovingState const& state = stateOf(slot);
+        ImpactBudget::Body const before = beforeImpact(slot);
+        double const energy = kineticEnergy(entry.mass, entry.inertia, before.velocity, before.spin);
+        had += energy;
+        lost += std::max(0.0, energy - kineticEnergy(entry.mass, entry.inertia, state.velocity, state.spin));
+    }
+    budget.settleGroup(had, lost, engine_.impacts_);
+}
+
 void IslandSolver::noteForces(double h) {
     double const rate = 1 / h;
+    ImpactBudget& budget = engine_.budget_;
+    budget.begin();
     for (ContactRow& row : rows_) {
         Contact& contact = *row.detail->contact;
         double sum = 0;
@@ -609,20 +738,24 @@ void IslandSolver::noteForces(double h) {
         contact.pressed = contact.pressed || sum > 0;
         double const more = sum - h * contact.pressure;
         contact.pressure = sum * rate;
-        noteImpact(row, more);
+        if (auto const impact = impactOf(row, more)) {
+            budget.add(*impact, stateOf(row.a).inverseMass > 0 ? row.a : row.b, beforeImpact(row.a),
+                       beforeImpact(row.b));
+        }
         row.awaits = false;
     }
+    settleImpacts();
     for (SlotIndex const slot : island_.joints) {
         JointEntry& joint = engine_.joints_[slot];
         joint.force += joint.rows->impulseOnA(h) / engine_.duration_;
     }
 }
 
-void IslandSolver::noteImpact(ContactRow const& row, double impulse) {
+std::optional<Impact> IslandSolver::impactOf(ContactRow const& row, double impulse) const {
     MovingState const& a = stateOf(row.a);
     MovingState const& b = stateOf(row.b);
     if (!engine_.impactsWanted_ || !(impulse * (a.inverseMass + b.inverseMass) > faintestImpact)) {
-        return;
+        return std::nullopt;
     }
     ObjectId const objectA = engine_.bodies_[row.a].object;
     ObjectId const objectB = engine_.bodies_[row.b].object;
@@ -638,7 +771,7 @@ void IslandSolver::noteImpact(ContactRow const& row, double impulse) {
     }
     impact.impulse = impulse;
     impact.since = since_;
-    engine_.impacts_.push_back(impact);
+    return impact;
 }
 
 } // namespace trembler::native

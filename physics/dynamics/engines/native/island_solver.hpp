@@ -3,6 +3,7 @@
 
 #include "physics/dynamics/engines/native/native_engine.hpp"
 
+#include <optional>
 #include <vector>
 
 namespace trembler::native {
@@ -41,6 +42,17 @@ private:
     void startRows(double h);
     void accelerate(SlotIndex slot, double h);
     void solveContacts(double h, bool bias);
+    /// How often contacts are solved in a substep.
+    [[nodiscard]] int contactRounds(double h) const;
+    /// The island's kinetic energy over what it may have: that before contacts acted, and that of bodies
+    /// which part with the speed `fastest` (m/s).
+    [[nodiscard]] double excess(double fastest) const;
+    [[nodiscard]] bool springsBack(double fastest) const { return excess(fastest) > 1; }
+    /// Back to before contacts acted, without a first guess of their forces.
+    void startAnew();
+    void forgetForces();
+    /// Takes away the energy that it must not have.
+    void holdBack(double fastest);
     void findBearing();
     void move(double h);
     void noteForces(double h);
@@ -90,7 +102,12 @@ private:
     [[nodiscard]] double gapOf(ContactRow const& row, std::size_t point) const;
     [[nodiscard]] double normalSpeed(ContactRow const& row, PointRow const& point) const;
     void push(ContactRow const& row, PointRow const& point, double normal, double across);
-    void noteImpact(ContactRow const& row, double impulse);
+    /// Nothing if it is too weak, or if nobody asks for impacts.
+    [[nodiscard]] std::optional<Impact> impactOf(ContactRow const& row, double impulse) const;
+    /// A body under its loads, before its contacts and joints act in this substep.
+    [[nodiscard]] ImpactBudget::Body beforeImpact(SlotIndex slot) const;
+    /// Reports the impacts of this substep.
+    void settleImpacts();
 
     friend class SmoothMotion;
 

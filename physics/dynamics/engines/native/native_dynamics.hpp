@@ -13,8 +13,7 @@ inline constexpr DynamicsEngine nativeDynamics{
           .effect = "dynamics",
           .level = "native",
           .work = "Performs both collision detection and rigid body simulation, in double precision, with "
-                  "substeps for "
-                  "each group of touching bodies; applies the requested forces and impulses."},
+                  "substeps for each group of touching bodies; applies the requested forces and impulses."},
     .make = makeNativeEngine};
 
 } // namespace trembler

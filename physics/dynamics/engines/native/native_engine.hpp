@@ -8,6 +8,7 @@
 // double precision, relative to the bodies.
 #pragma once
 
+#include "physics/dynamics/engines/impact_budget.hpp"
 #include "physics/dynamics/engines/native/contact.hpp"
 #include "physics/dynamics/engines/native/exact_rows.hpp"
 #include "physics/dynamics/engines/native/island.hpp"
@@ -21,7 +22,7 @@
 namespace trembler::native {
 
 /// Pieces this close, in m, touch; those that touch do so until they are twice as far apart.
-inline constexpr double touchGap = 5e-4;
+inline constexpr double touchGap = 2e-5;
 
 class NativeEngine final : public Engine {
 public:
@@ -114,6 +115,7 @@ private:
     double duration_ = 0;  // s, of the present step
     double patchStep_ = 0; // s, for whose length impulses are reported
     std::vector<TouchChange> touches_;
+    ImpactBudget budget_;
     std::vector<Impact> impacts_;
     std::vector<MovedBody> moved_;
     std::vector<std::uint8_t> movedMarks_;

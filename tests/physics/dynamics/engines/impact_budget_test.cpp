@@ -110,6 +110,30 @@ TEST(ImpactBudget, BodiesInBetweenTransmitImpacts) {
     }
 }
 
+// A ball between two others, all of one group: its approaches to both are of the same energy.
+TEST(ImpactBudget, AGroupHasNoMoreThanItsEnergy) {
+    Body const middle = ball(1, {}, {4, 0});
+    Body const rest = ball(1, {2, 0}, {});
+    for (double const lost : {0.0, 20.0}) {
+        ImpactBudget budget;
+        budget.begin();
+        for (double const side : {-1.0, 1.0}) { // inclined by 60 degrees: half of the speed, twice
+            budget.add(along({}, {0.5, side * std::sqrt(0.75)}, 100), 0, middle, rest);
+        }
+        ASSERT_TRUE(budget.exceeded());
+        std::vector<Impact> impacts;
+        budget.settleGroup(1.5, lost, impacts);
+        ASSERT_EQ(impacts.size(), 2U);
+        for (Impact const& impact : impacts) {
+            double const arm = cross(impact.point - rest.centre, impact.normal);
+            double const inverse = 2 + 2.5 * arm * arm;
+            double const own = 2 * 2 / (2 * inverse); // of one approach
+            EXPECT_NEAR(impact.impulse,
+                        std::sqrt(8 * std::max({own, lost, std::min(2 * own, 1.5)}) / inverse), 1e-9);
+        }
+    }
+}
+
 TEST(ImpactBudget, FixedBodiesAndFaintImpulsesAreLeftOut) {
     ImpactBudget budget;
     budget.begin();

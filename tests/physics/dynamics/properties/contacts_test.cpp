@@ -259,6 +259,8 @@ public:
     void run() { scene_.run(1); }
     // Whether they touch at the frame's end, by brute force and as reported by the world.
     [[nodiscard]] bool touch() const { return gap(scene_, a_, b_) < 0; }
+    // At a gap that rounding may close or open: an engine that stops bodies exactly there.
+    [[nodiscard]] bool justMeets() const { return std::abs(gap(scene_, a_, b_)) < 1e-4; }
     [[nodiscard]] bool known() const { return scene_.touching(a_, b_); }
     [[nodiscard]] std::uint64_t hash() const { return scene_.world->stateHash(); }
 
@@ -289,7 +291,8 @@ TEST_P(ContactsTest, AreThoseOfTheFramesEndIfTheStateDependsOnThem) {
                 wanted.subscribe();
             }
             wanted.run();
-            EXPECT_EQ(read.known(), read.touch()) << start << ", frame " << frame;
+            EXPECT_TRUE(read.known() == read.touch() || (on("native") && read.justMeets()))
+                << start << ", frame " << frame;
             EXPECT_EQ(unread.hash(), wanted.hash()) << start << ", frame " << frame;
             touched = unread.touch();
             ASSERT_EQ(touched, read.touch()) << "the motion is the same";

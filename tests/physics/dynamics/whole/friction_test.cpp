@@ -94,7 +94,7 @@ TEST_P(Collision, AGasKeepsItsMomentumAndItsEnergy) {
     std::size_t hits = 0;
     for (int frame = 0; frame < 300; ++frame) {
         scene.run(1);
-        hits += scene.contacts().begun.size();
+        hits += scene.contacts().begun.size() + scene.contacts().brief.size();
     }
     auto const [after, energyAfter] = totals();
     EXPECT_GT(hits, 20U);
@@ -162,7 +162,11 @@ TEST_P(Collision, BulletsHitThinMovableBodies) {
             passed[bullet] += scene.at(ball).x > scene.at(wall).x ? 1 : 0;
         }
     }
-    EXPECT_GT(passed[0], 6);
+    if (on("native")) { // there every body is a bullet
+        EXPECT_EQ(passed[0], 0);
+    } else {
+        EXPECT_GT(passed[0], 6);
+    }
     EXPECT_EQ(passed[1], 0);
 }
 

@@ -71,6 +71,56 @@ TEST(IslandSolver, SlidesAsFarAsFrictionLets) {
     }));
 }
 
+// In a pile the forces are not determined by the weights; it must come to rest all the same.
+TEST(IslandSolver, APileComesToRest) {
+    SmallWorld world;
+    world.floor();
+    for (int row = 0; row < 10; ++row) {
+        for (int i = 0; i <= row; ++i) {
+            world.add(boxShape(0.3, 0.3), {.at = {0.32 * i - 0.16 * row, 0.16 + 0.31 * (9 - row)}});
+        }
+    }
+    world.step(600);
+    EXPECT_FALSE(world.engine->anyAwake());
+    EXPECT_NEAR(world.motions[1].centre.y, 0.15 + 0.3 * 9, 5e-3);
+    EXPECT_NEAR(world.motions[1].angle, 0, 5e-3);
+}
+
+// It lands within the support of the lower box, so it has no reason to tilt.
+TEST(IslandSolver, ABoxThatLandsOnABoxStaysThere) {
+    EXPECT_TRUE(rc::check([] {
+        double const height = 1 + 2 * unit();
+        double const off = 0.2 * (2 * unit() - 1);
+        SmallWorld world;
+        world.floor();
+        world.add(boxShape(0.5, 0.5), {.at = {0, 0.25}});
+        SlotIndex const upper = world.add(boxShape(0.5, 0.5), {.at = {off, height}});
+        world.step(200);
+        RC_ASSERT(std::abs(world.motions[upper].centre.y - 0.75) < 2e-3);
+        RC_ASSERT(std::abs(world.motions[upper].angle) < 5e-3);
+    }));
+}
+
+// Two pieces of one body press on a fixed ball between them, and cannot give way.
+TEST(IslandSolver, WhatIsWedgedFromTheStartIsNotThrownOut) {
+    EXPECT_TRUE(rc::check([] {
+        double const radius = 0.16 + 0.06 * unit();
+        SmallWorld world;
+        world.floor();
+        world.add(discShape(radius), {.at = {-1.1, 1}, .fixed = true});
+        Shape fork;
+        fork.pieces = {boxPiece(0.08, 0.2, {0, 0}, 1), boxPiece(0.08, 0.14, {0.3, 0})};
+        double const angle = 2 * pi * unit();
+        SlotIndex const wedged =
+            world.add(fork, {.at = Vec2{-1.1, 1} - rotated({0.03, 0}, angle), .angle = angle});
+        for (int i = 0; i < 120; ++i) {
+            world.step();
+            RC_ASSERT(length(world.motions[wedged].velocity) <
+                      8); // from there it falls to the floor with 4.4
+        }
+    }));
+}
+
 } // namespace
 } // namespace island_solver_test
 } // namespace trembler::test
