@@ -26,7 +26,8 @@ constexpr double chargePerVectorText = 20;
 double angleAt(lua_State* L) {
     double const angle = lua_tonumber(L, 1); // the prelude has checked it, as in all functions below
     if (!(std::abs(angle) <= largestAngle)) {
-        Sandbox::of(L).raise(L, fmt::format("an angle of {} rad; expected at most {}", angle, largestAngle));
+        Sandbox::of(L).raise(L, fmt::format("an angle of {} rad; expected at most {}", numberText(L, angle),
+                                            numberText(L, largestAngle)));
     }
     return angle;
 }
@@ -53,6 +54,18 @@ std::optional<std::string> tooDeepIn(std::string_view text) {
     return fmt::format("{}{}", text.substr(0, at), Sandbox::tooDeep);
 }
 
+/// A key as messages show it.
+std::string shownKey(lua_State* L, int index) {
+    std::string shown = textAt(L, index);
+    if (lua_type(L, index) == LUA_TNUMBER) {
+        shown = fmt::format("[{}]", numberText(L, lua_tonumber(L, index)));
+    } else if (lua_type(L, index) != LUA_TSTRING) {
+        shown = fmt::format("[{}]", kindOf(L, index));
+    }
+    shown.resize(std::min<std::size_t>(shown.size(), 60));
+    return shown;
+}
+
 } // namespace
 
 int Sandbox::Functions::charge(lua_State* L) {
@@ -61,14 +74,7 @@ int Sandbox::Functions::charge(lua_State* L) {
 }
 
 int Sandbox::Functions::show(lua_State* L) {
-    std::string shown = textAt(L, 1);
-    if (lua_type(L, 1) == LUA_TNUMBER) {
-        shown = fmt::format("[{}]", lua_tonumber(L, 1));
-    } else if (lua_type(L, 1) != LUA_TSTRING) {
-        shown = fmt::format("[{}]", kindOf(L, 1));
-    }
-    shown.resize(std::min<std::size_t>(shown.size(), 60));
-    pushString(L, shown);
+    pushString(L, shownKey(L, 1));
     return 1;
 }
 
