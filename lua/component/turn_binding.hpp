@@ -64,7 +64,7 @@ private:
 
     // Making the tables, once: turn_tables.cpp.
     template <int (Binding::*member)(lua_State*)>
-    static int call(lua_State* L);
+    static int unguardedCall(lua_State* L);
     template <int (Binding::*member)(lua_State*)>
     void pushFunction(lua_State* L, std::size_t a = 0, std::size_t b = 0);
     template <int (Binding::*member)(lua_State*)>
@@ -164,7 +164,7 @@ private:
     void const* worldAddress_ = nullptr;
     ObjectId worldId_; // of this turn; invalid if the level has none
     std::optional<bool> worldIsTarget_;
-    int handleMeta_ = 0; // references into the registry
+    int handleMeta_ = 0;            // references into the registry
     int parameters_ = 0;
     int parameterValues_ = 0;
     int out_ = 0;
@@ -188,7 +188,7 @@ private:
 // The functions that are called through their names in the description of a call to Lua.
 
 template <int (Turns::Binding::*member)(lua_State*)>
-int Turns::Binding::call(lua_State* L) {
+int Turns::Binding::unguardedCall(lua_State* L) {
     auto* const self = static_cast<Binding*>(lua_touserdata(L, lua_upvalueindex(1)));
     return (self->*member)(L);
 }
@@ -198,7 +198,7 @@ void Turns::Binding::pushFunction(lua_State* L, std::size_t a, std::size_t b) {
     lua_pushlightuserdata(L, this);
     lua_pushnumber(L, static_cast<double>(a));
     lua_pushnumber(L, static_cast<double>(b));
-    lua_pushcclosure(L, &call<member>, 3);
+    lua_pushcclosure(L, &Sandbox::guarded<&Binding::unguardedCall<member>>, 3);
 }
 /// Gives the table on top of the stack a function for missing keys.
 template <int (Turns::Binding::*member)(lua_State*)>

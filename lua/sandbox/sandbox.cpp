@@ -70,7 +70,8 @@ void Sandbox::openLibraries(lua_State* L) {
 }
 
 void Sandbox::open() {
-    auto const failed = protect([this](lua_State* L) {
+    memory_.setHost(true);
+    auto const failed = run(state_, [this](lua_State* L) {
         if (trusted()) {
             lua_gc(L, LUA_GCSETPAUSE, 110); // or garbage is taken for memory that is needed
         } else {
@@ -112,6 +113,7 @@ void Sandbox::open() {
     });
     if (failed) {
         lua_close(state_);
+        throwKept();
         throw std::runtime_error(fmt::format("a Lua state could not be made: {}", failed->message));
     }
     memory_.setCap(mostMemory());

@@ -6,10 +6,12 @@
 #include "lua/sandbox/source/counted_source.hpp"
 #include "runtime/math/vec2.hpp"
 
+#include <exception>
 #include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 struct lua_State;
 
@@ -31,6 +33,9 @@ struct CallBudget {
 /// The memory, the instructions and the functions that a script gets. A script's text is run again in each
 /// turn, and no value that it makes lasts to the next one, so it cannot keep a state that is not hashed. Used
 /// by one thread at a time.
+///
+/// Scripts never see an exception of C++, which they could catch: it ends the turn, or protect(), and is
+/// thrown again from there.
 ///
 /// The memory that an untrusted script uses is the same in every run, to the byte. LuaJIT's collector would
 /// prevent that: it goes through the strings in the order of their hashes, for which each state has a random
@@ -127,6 +132,9 @@ public:
     static constexpr std::string_view tooDeep = "the script calls itself too deeply";
     /// The sandbox of a state.
     [[nodiscard]] static Sandbox& of(lua_State* L);
+    /// A function of the host as Lua calls it: an exception of C++ in it ends the turn like a limit.
+    template <int (*function)(lua_State*)>
+    static int guarded(lua_State* L);
 
 private:
     struct Functions;                          // those of the host that Lua calls: prelude/host_functions.hpp
@@ -142,6 +150,9 @@ private:
     [[noreturn]] void over(lua_State* L);
     /// `placed`: put the place in the script before the message.
     [[noreturn]] void stop(lua_State* L, std::string const& message, bool placed = true);
+    /// Keeps the exception and raises an error that no script can catch.
+    [[noreturn]] void endBy(lua_State* L, std::exception_ptr exception);
+    void throwKept();
     void open();
     void openLibraries(lua_State* L);
     /// Compiles a text with counters, and pushes its function.
@@ -198,6 +209,19 @@ private:
     bool refusedDeep_ = false;     // with very many calls under way
     std::string refusedCalls_;     // the innermost of these
     ScriptError error_;            // of the run under way: filled by its message handler
+    std::exception_ptr kept_;      // that has ended it
 };
+
+// Errors of Lua pass through as foreign exceptions, which a handler of std::exception does not catch.
+template <int (*function)(lua_State*)>
+int Sandbox::guarded(lua_State* L) {
+    std::exception_ptr exception;
+    try {
+        return function(L);
+    } catch (std::exception const&) {
+        exception = std::current_exception();
+    }
+    of(L).endBy(L, std::move(exception));
+}
 
 } // namespace trembler::lua

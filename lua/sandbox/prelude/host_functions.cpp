@@ -210,13 +210,27 @@ int Sandbox::Functions::logE(lua_State* L) {
     return 1;
 }
 
-luaL_Reg const Sandbox::Functions::all[] = {
-    {"charge", charge}, {"show", show}, {"suggest", suggest}, {"list", list},
-    {"kind", kind},     {"text", text}, {"caught", caught},   {"fail", fail},
-    {"refuse", refuse}, {"log", log},   {"limited", limited}, {"limitText", limitText},
-    {"sin", sin},       {"cos", cos},   {"atan2", atan2},     {"exp", exp},
-    {"log_e", logE},    {"join", join}, {"plain", plain},     {"keepGarbage", keepGarbage},
-    {nullptr, nullptr}};
+luaL_Reg const Sandbox::Functions::all[] = {{"charge", guarded<charge>},
+                                            {"show", guarded<show>},
+                                            {"suggest", guarded<suggest>},
+                                            {"list", guarded<list>},
+                                            {"kind", guarded<kind>},
+                                            {"text", guarded<text>},
+                                            {"caught", guarded<caught>},
+                                            {"fail", guarded<fail>},
+                                            {"refuse", guarded<refuse>},
+                                            {"log", guarded<log>},
+                                            {"limited", guarded<limited>},
+                                            {"limitText", guarded<limitText>},
+                                            {"sin", guarded<sin>},
+                                            {"cos", guarded<cos>},
+                                            {"atan2", guarded<atan2>},
+                                            {"exp", guarded<exp>},
+                                            {"log_e", guarded<logE>},
+                                            {"join", guarded<join>},
+                                            {"plain", guarded<plain>},
+                                            {"keepGarbage", guarded<keepGarbage>},
+                                            {nullptr, nullptr}};
 
 int Sandbox::Functions::over(lua_State* L) {
     of(L).over(L);
