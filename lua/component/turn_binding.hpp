@@ -76,6 +76,7 @@ private:
     void pushProxy(lua_State* L, std::string_view name);
     void closeMetatable(lua_State* L, std::string_view name);
     void setUp(lua_State* L);
+    void setUpReadings(lua_State* L);
     void setUpHandles(lua_State* L);
     void setUpSlot(lua_State* L, std::size_t number, std::vector<std::size_t> const& required);
     [[nodiscard]] bool isEager(FieldPlace const& place) const;
@@ -120,11 +121,14 @@ private:
     [[noreturn]] void refuseProperty(lua_State* L, std::string const& name, std::string_view of);
     void pushFieldOf(lua_State* L, DeclaredProperty const& property, std::string const& key, ObjectId id);
     void pushTableOf(lua_State* L, DeclaredProperty const& property, ObjectId id);
+    [[noreturn]] void refuseField(lua_State* L, DeclaredProperty const& property, std::string const& key);
+    [[nodiscard]] std::size_t numberOf(DeclaredProperty const& property) const;
     [[nodiscard]] Home const& homeOf(DeclaredProperty const& property) const;
     int refuseChange(lua_State* L);
     int objectFallback(lua_State* L);
     int fieldFallback(lua_State* L);
     int worldIndex(lua_State* L);
+    int readingIndex(lua_State* L);
 
     // Calls: turn_calls.cpp.
     int callFallback(lua_State* L);
@@ -165,6 +169,7 @@ private:
     ObjectId worldId_; // of this turn; invalid if the level has none
     std::optional<bool> worldIsTarget_;
     int handleMeta_ = 0;            // references into the registry
+    std::vector<int> readingMetas_; // of the script's reads: of tables that are made when it reads them
     int parameters_ = 0;
     int parameterValues_ = 0;
     int out_ = 0;

@@ -93,12 +93,28 @@ public:
     /// tables, which scripts may neither look through nor change. No script can get either value.
     void pushVectorMark(lua_State* L) const;
     void pushHostMark(lua_State* L) const;
+    /// The same of readings, see below.
+    void pushReadingMark(lua_State* L) const;
     /// Pushes the keys of a vector's coordinates: "x" and "y" or, where the script assigns to fields, two
     /// that it cannot name.
     void pushVectorKeyX(lua_State* L) const;
     void pushVectorKeyY(lua_State* L) const;
     /// Pushes a vector.
     void pushVector(lua_State* L, double x, double y) const;
+    /// The same for one that is a copy of what the script reads: it cannot be changed, as that would change
+    /// nothing else.
+    void pushReadVector(lua_State* L, double x, double y) const;
+    // Tables and lists that are made when a script reads them: the script may look through them, with
+    // pairs(), ipairs() and #, and cannot change them. A script that assigns to fields sees an empty table in
+    // place of one, in which it stands under a key that the script cannot name.
+
+    /// Pushes the metatable of readings, which the host may copy to answer missing keys in its own way.
+    void pushReadingMeta(lua_State* L) const;
+    /// Pops a metatable and the table below it, and pushes what the script sees of the table. Other keys than
+    /// those that are there are answered by the metatable.
+    void closeReading(lua_State* L) const;
+    /// Pushes the table itself of the reading at `index`, which is counted from the stack's beginning.
+    void pushInside(lua_State* L, int index) const;
     /// Pushes a text for the script: one that reads as a long number in brackets (see readsAsLongNumber()).
     /// Counts it, and raises a Lua error if it is longer than longestString.
     void pushText(lua_State* L, std::string_view text);
@@ -187,6 +203,9 @@ private:
     int vectorY_ = 0;
     int hiddenX_ = 0;
     int hiddenY_ = 0;
+    int readVectorMeta_ = 0;
+    int reading_ = 0;
+    int inside_ = 0;
     int ffi_ = 0;
     int counted_ = 0;   // a function that shares the counter
     int counterAt_ = 0; // the place of the counter among its upvalues

@@ -124,6 +124,20 @@ int Sandbox::Functions::fail(lua_State* L) {
     of(L).raise(L, textAt(L, 1));
 }
 
+/// What a script reads cannot be changed: raises the error of an assignment to the key at index 2.
+int Sandbox::Functions::refuseChange(lua_State* L) {
+    std::string const key = shownKey(L, 2);
+    if (kindOf(L, 1) == "vector") {
+        of(L).raise(L, fmt::format("'{}' of a vector that was read cannot be changed, as that would change "
+                                   "nothing else; expected another vector, vec2(x, y), as in "
+                                   "store.object.speed = vec2(x, y)",
+                                   key));
+    }
+    of(L).raise(L, fmt::format("'{}' cannot be changed: an interaction changes nothing but by calling its "
+                               "resolver, and what it keeps is in store",
+                               key));
+}
+
 int Sandbox::Functions::refuse(lua_State* L) {
     HostFunction const& function = hostFunction(textAt(L, 1));
     lua_remove(L, 1);
@@ -230,6 +244,7 @@ luaL_Reg const Sandbox::Functions::all[] = {{"charge", guarded<charge>},
                                             {"join", guarded<join>},
                                             {"plain", guarded<plain>},
                                             {"keepGarbage", guarded<keepGarbage>},
+                                            {"refuseChange", guarded<refuseChange>},
                                             {nullptr, nullptr}};
 
 int Sandbox::Functions::over(lua_State* L) {

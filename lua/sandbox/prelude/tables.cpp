@@ -46,6 +46,7 @@ local function keyLess(a, b)
 end
 local function sortedKeys(t, what)
   if isVec(t) then return { "x", "y" } end
+  t = insideOf(t)
   local keys, n, ordered = {}, 0, true
   for key in next, t do
     if order[type(key)] == nil then ordered = false end
@@ -61,7 +62,7 @@ local function sortedKeys(t, what)
 end
 local function fieldOf(t, key)
   if isVec(t) then return t[key] end
-  return rawget(t, key)
+  return rawget(insideOf(t), key)
 end
 -- In the order of the keys: that of Lua's own differs from state to state.
 function env.pairs(t)
@@ -91,6 +92,7 @@ function env.next(t, key)
   err("next: the table has no such key")
 end
 local function unpack(t, from, to)
+  t = insideOf(t)
   from, to = inRange(from or 1), inRange(to or #t)
   if to < from then return end
   if not (to - from < 200) then err("unpack gives at most 200 values") end
@@ -124,6 +126,7 @@ function table.remove(t, at)
 end
 function table.sort(t, before) sort(t, #t, before or less) end
 function table.concat(t, between, from, to)
+  t = insideOf(t)
   between, from, to = between or "", inRange(from or 1), inRange(to or #t)
   -- Of a list of its own: an entry may be another one when it is read again.
   local parts, long = {}, 0
