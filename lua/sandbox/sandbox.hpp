@@ -128,6 +128,8 @@ public:
     void chargeCall(lua_State* L, bool creates = false);
     /// Raises an error with the place in the script that is under way.
     [[noreturn]] void raise(lua_State* L, std::string const& message);
+    /// The same as a limit, which ends the turn: the script cannot catch it.
+    [[noreturn]] void raiseLimit(lua_State* L, std::string const& message) { stop(L, message); }
     /// Raises an error if the arguments on the stack are not those of the host's function of that name.
     void checkArguments(lua_State* L, std::string_view function);
 
