@@ -103,6 +103,7 @@ local table = { unpack = unpack }
 function table.insert(t, ...)
   local n, count, a, b = #t, select("#", ...), ...
   if count == 1 then
+    if a == nil then err("argument 'value' of table.insert is nil; expected a value") end
     t[n + 1] = a
     return
   end
@@ -116,8 +117,8 @@ function table.insert(t, ...)
 end
 function table.remove(t, at)
   local n = #t
+  if n == 0 and (at == nil or at == 0) then return nil end
   at = at or n
-  if n == 0 then return nil end
   if not (at >= 1 and at <= n and at == floor(at)) then err("table.remove: the place is not in the list") end
   local value = t[at]
   for i = at, n - 1 do t[i] = t[i + 1] end
