@@ -54,6 +54,15 @@ std::optional<std::string> tooDeepIn(std::string_view text) {
     return fmt::format("{}{}", text.substr(0, at), Sandbox::tooDeep);
 }
 
+/// A text of a script in which no line ends, or a player could take its rest for a line of the program's own.
+/// Other control characters are shown by whoever shows the text.
+std::string inOneLine(std::string text) {
+    for (std::size_t at = text.find('\n'); at != std::string::npos; at = text.find('\n', at)) {
+        text.replace(at, 1, "<U+000A>");
+    }
+    return text;
+}
+
 /// A key as messages show it.
 std::string shownKey(lua_State* L, int index) {
     std::string shown = textAt(L, index);
@@ -150,7 +159,7 @@ int Sandbox::Functions::refuse(lua_State* L) {
 
 int Sandbox::Functions::log(lua_State* L) {
     Sandbox& sandbox = of(L);
-    std::string line = textAt(L, 1);
+    std::string line = inOneLine(textAt(L, 1));
     line.resize(std::min(line.size(), longestLogLine));
     if (sandbox.logged_ < sandbox.limits_.logLines && sandbox.onLog) {
         ++sandbox.logged_;
@@ -272,6 +281,7 @@ int Sandbox::Functions::handler(lua_State* L) {
         text = *tooDeep;
         sandbox.error_.limit = true;
     }
+    text = inOneLine(std::move(text));
     text.resize(std::min(text.size(), longestString));
     sandbox.error_.message = std::move(text);
     // Of a script that has caught this error and was stopped again, the calls are no longer those.
