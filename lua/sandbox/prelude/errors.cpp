@@ -52,7 +52,7 @@ function env.tonumber(v, base)
 end
 function env.getmetatable(v)
   local meta = rawgetmetatable(v)
-  if meta == vectors or meta == hosts then return false end
+  if meta == vectors or meta == hosts or meta == readings then return false end
   return meta
 end
 
