@@ -611,15 +611,15 @@ void IslandSolver::substep(double h, int halvings) {
         };
         startRows(h);
         solve(true);
-        if (springsBack(fastestParting)) {
+        if (excess(fastestParting) > 1) {
             startAnew();
             startRows(h);
             solve(true);
-            holdBack(fastestParting);
+            takeGainAway(excess(fastestParting));
         }
         move(h);
         solve(false);
-        holdBack(slowestExcess);
+        takeGainAway(excess(slowestExcess));
     } else if (!joinedSubstep(h)) {
         if (again) {
             bool const springs = gainOf(h) > 1;
@@ -637,7 +637,7 @@ void IslandSolver::substep(double h, int halvings) {
             substep(h / 2, halvings + 1);
             return;
         }
-        takeGainAway(h);
+        takeGainAway(gainOf(h));
     }
     for (SlotIndex const slot : island_.bodies) {
         if (slot < engine_.dragged_.size() && engine_.dragged_[slot].drag.any()) {
@@ -683,8 +683,7 @@ void IslandSolver::forgetForces() {
     }
 }
 
-void IslandSolver::holdBack(double fastest) {
-    double const gain = excess(fastest);
+void IslandSolver::takeGainAway(double gain) {
     if (gain <= 1) {
         return;
     }

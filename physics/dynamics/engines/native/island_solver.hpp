@@ -47,12 +47,12 @@ private:
     /// The island's kinetic energy over what it may have: that before contacts acted, and that of bodies
     /// which part with the speed `fastest` (m/s).
     [[nodiscard]] double excess(double fastest) const;
-    [[nodiscard]] bool springsBack(double fastest) const { return excess(fastest) > 1; }
     /// Back to before contacts acted, without a first guess of their forces.
     void startAnew();
     void forgetForces();
-    /// Takes away the energy that it must not have.
-    void holdBack(double fastest);
+    /// Slows all bodies until the island has no more energy than it may have; `gain`: of excess() or
+    /// gainOf().
+    void takeGainAway(double gain);
     void findBearing();
     void move(double h);
     void noteForces(double h);
@@ -71,7 +71,6 @@ private:
     void noteNormals();
     /// The island's kinetic energy after a substep over what it may have.
     [[nodiscard]] double gainOf(double h) const;
-    void takeGainAway(double h);
     [[nodiscard]] bool wantsExactContacts() const;
     void give(ExactRow const& row, double impulse, double share);
     [[nodiscard]] bool findWeights();

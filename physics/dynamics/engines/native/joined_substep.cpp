@@ -501,16 +501,4 @@ double IslandSolver::gainOf(double h) const {
     return after / allowed;
 }
 
-void IslandSolver::takeGainAway(double h) {
-    double const gain = gainOf(h);
-    if (gain <= 1) {
-        return;
-    }
-    double const share = std::sqrt(1 / gain);
-    for (SlotIndex const slot : island_.bodies) {
-        stateOf(slot).velocity *= share;
-        stateOf(slot).spin *= share;
-    }
-}
-
 } // namespace trembler::native
