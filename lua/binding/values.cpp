@@ -83,7 +83,7 @@ void pushField(lua_State* L, Sandbox& sandbox, FieldPlace const& place, void con
         return;
     case FieldKind::vector: {
         Vec2 const& vector = at<Vec2>(value, place);
-        sandbox.pushVector(L, vector.x, vector.y);
+        sandbox.pushReadVector(L, vector.x, vector.y);
         return;
     }
     case FieldKind::text: {
@@ -130,7 +130,7 @@ void FieldPusher::number(FieldInfo const& info, double& value) {
 }
 void FieldPusher::vector(FieldInfo const& info, Vec2& value) {
     if (wants(info)) {
-        sandbox_.pushVector(L_, value.x, value.y);
+        sandbox_.pushReadVector(L_, value.x, value.y);
     }
 }
 void FieldPusher::text(FieldInfo const& info, std::string& value) {
@@ -160,6 +160,8 @@ void FieldPusher::list(FieldInfo const& info, ListField& value) {
             lua_newtable(L_);
             TableFiller filler(L_, sandbox_, object_);
             value.visitElement(i, filler);
+            sandbox_.pushReadingMeta(L_);
+            sandbox_.closeReading(L_);
         } else {
             FieldPusher element(L_, sandbox_, "value", object_);
             value.visitElement(i, element);
@@ -169,6 +171,8 @@ void FieldPusher::list(FieldInfo const& info, ListField& value) {
         }
         lua_rawseti(L_, -2, static_cast<int>(i) + 1);
     }
+    sandbox_.pushReadingMeta(L_);
+    sandbox_.closeReading(L_);
 }
 
 void pushValue(lua_State* L, Sandbox& sandbox, Value const& value) {
@@ -177,7 +181,7 @@ void pushValue(lua_State* L, Sandbox& sandbox, Value const& value) {
     } else if (double const* const number = std::get_if<double>(&value)) {
         lua_pushnumber(L, *number);
     } else if (Vec2 const* const vector = std::get_if<Vec2>(&value)) {
-        sandbox.pushVector(L, vector->x, vector->y);
+        sandbox.pushReadVector(L, vector->x, vector->y);
     } else {
         sandbox.pushText(L, std::get<std::string>(value));
     }

@@ -30,6 +30,23 @@ std::vector<Value> initialOf(std::vector<StoreField> const& fields) {
     return values;
 }
 
+// The same on every machine, as it decides where a script is stopped: an object in the map, and a value, take
+// no more than this beside the value's text.
+constexpr std::size_t bytesPerObject = 100;
+constexpr std::size_t bytesPerValue = 40;
+
+std::size_t textBytes(Value const& value) {
+    std::string const* const text = std::get_if<std::string>(&value);
+    return text == nullptr ? 0 : text->size();
+}
+std::size_t bytesOf(std::vector<Value> const& values) {
+    std::size_t bytes = bytesPerObject + bytesPerValue * values.size();
+    for (Value const& value : values) {
+        bytes += textBytes(value);
+    }
+    return bytes;
+}
+
 void hashValues(StateHash& hash, std::vector<Value> const& values) {
     hash.integer(values.size());
     for (Value const& value : values) {
@@ -77,12 +94,27 @@ std::string ScriptStore::fault(StoreField const& field, Value const& value) {
 
 std::string ScriptStore::setOfObject(ObjectId id, std::size_t field, Value value) {
     std::string wrong = fault(objectFields_[field], value);
-    if (wrong.empty()) {
-        auto const [at, isNew] = objects_.try_emplace(id);
-        if (isNew) {
-            at->second = initialOf(objectFields_);
-        }
-        at->second[field] = std::move(value);
+    if (!wrong.empty()) {
+        return wrong;
+    }
+    auto at = objects_.find(id);
+    std::vector<Value> made;
+    if (at == objects_.end()) {
+        made = initialOf(objectFields_);
+    }
+    Value& place = (at == objects_.end() ? made : at->second)[field];
+    std::size_t const after =
+        bytes_ + (made.empty() ? 0 : bytesOf(made)) + textBytes(value) - textBytes(place);
+    if (after > largestStore && after > bytes_) {
+        full_ = true;
+        return fmt::format(
+            "the store of the script is full: the values of its objects take more than {} bytes",
+            largestStore);
+    }
+    bytes_ = after;
+    place = std::move(value);
+    if (!made.empty()) {
+        objects_.emplace(id, std::move(made));
     }
     return wrong;
 }
@@ -96,7 +128,16 @@ std::string ScriptStore::setOfScript(std::size_t field, Value value) {
 }
 
 void ScriptStore::keepOnly(std::function<bool(ObjectId)> const& alive) {
-    std::erase_if(objects_, [&](auto const& entry) { return !alive(entry.first); });
+    if (std::erase_if(objects_, [&](auto const& entry) { return !alive(entry.first); }) > 0) {
+        count();
+    }
+}
+
+void ScriptStore::count() {
+    bytes_ = 0;
+    for (auto const& [id, values] : objects_) {
+        bytes_ += bytesOf(values);
+    }
 }
 
 double ScriptStore::random() {

@@ -13,6 +13,9 @@
 
 namespace trembler::lua {
 
+/// Bytes that the values of all objects may take in the store of one script.
+inline constexpr std::size_t largestStore = std::size_t{64} << 20U;
+
 class ScriptStore {
 public:
     explicit ScriptStore(Manifest const& manifest);
@@ -35,9 +38,13 @@ public:
     /// The next number of a sequence, in [0, 1). It depends on the script's name and on how many came before.
     [[nodiscard]] double random();
 
+    /// Whether a value was refused because all values of the script take as much memory as they may.
+    [[nodiscard]] bool full() const { return full_; }
+
     void hash(StateHash& hash) const;
 
 private:
+    void count();
     [[nodiscard]] static std::string fault(StoreField const& field, Value const& value);
 
     std::vector<StoreField> objectFields_;
@@ -46,6 +53,8 @@ private:
     std::vector<Value> script_;
     std::uint64_t seed_;
     std::uint64_t draws_ = 0;
+    std::size_t bytes_ = 0; // of objects_, about
+    bool full_ = false;
 };
 
 } // namespace trembler::lua

@@ -35,6 +35,7 @@ void ScriptStore::adopt(ScriptStore const& before) {
             }
         }
     }
+    count();
     draws_ = before.draws_;
 }
 

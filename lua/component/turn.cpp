@@ -55,9 +55,17 @@ std::optional<ScriptError> Turns::Binding::run(TurnContext const& context,
     worldId_ = context.store.find("world");
     sandbox_.onLog = context.log;
     findColumns();
-    auto failed = sandbox_.turn(
-        targets.size(), [&](lua_State* L) { applyTo(L); },
-        context.sameFrame ? Sandbox::TurnOf::sameFrame : Sandbox::TurnOf::newFrame);
+    std::optional<ScriptError> failed;
+    try {
+        failed = sandbox_.turn(
+            targets.size(), [&](lua_State* L) { applyTo(L); },
+            context.sameFrame ? Sandbox::TurnOf::sameFrame : Sandbox::TurnOf::newFrame);
+    } catch (...) { // of the host: the run ends
+        gatherer_.drop();
+        context_ = nullptr;
+        targets_ = nullptr;
+        throw;
+    }
     if (failed) {
         gatherer_.drop();
     } else {

@@ -64,7 +64,7 @@ private:
 
     // Making the tables, once: turn_tables.cpp.
     template <int (Binding::*member)(lua_State*)>
-    static int call(lua_State* L);
+    static int unguardedCall(lua_State* L);
     template <int (Binding::*member)(lua_State*)>
     void pushFunction(lua_State* L, std::size_t a = 0, std::size_t b = 0);
     template <int (Binding::*member)(lua_State*)>
@@ -76,6 +76,7 @@ private:
     void pushProxy(lua_State* L, std::string_view name);
     void closeMetatable(lua_State* L, std::string_view name);
     void setUp(lua_State* L);
+    void setUpReadings(lua_State* L);
     void setUpHandles(lua_State* L);
     void setUpSlot(lua_State* L, std::size_t number, std::vector<std::size_t> const& required);
     [[nodiscard]] bool isEager(FieldPlace const& place) const;
@@ -120,11 +121,14 @@ private:
     [[noreturn]] void refuseProperty(lua_State* L, std::string const& name, std::string_view of);
     void pushFieldOf(lua_State* L, DeclaredProperty const& property, std::string const& key, ObjectId id);
     void pushTableOf(lua_State* L, DeclaredProperty const& property, ObjectId id);
+    [[noreturn]] void refuseField(lua_State* L, DeclaredProperty const& property, std::string const& key);
+    [[nodiscard]] std::size_t numberOf(DeclaredProperty const& property) const;
     [[nodiscard]] Home const& homeOf(DeclaredProperty const& property) const;
     int refuseChange(lua_State* L);
     int objectFallback(lua_State* L);
     int fieldFallback(lua_State* L);
     int worldIndex(lua_State* L);
+    int readingIndex(lua_State* L);
 
     // Calls: turn_calls.cpp.
     int callFallback(lua_State* L);
@@ -164,7 +168,8 @@ private:
     void const* worldAddress_ = nullptr;
     ObjectId worldId_; // of this turn; invalid if the level has none
     std::optional<bool> worldIsTarget_;
-    int handleMeta_ = 0; // references into the registry
+    int handleMeta_ = 0;            // references into the registry
+    std::vector<int> readingMetas_; // of the script's reads: of tables that are made when it reads them
     int parameters_ = 0;
     int parameterValues_ = 0;
     int out_ = 0;
@@ -188,7 +193,7 @@ private:
 // The functions that are called through their names in the description of a call to Lua.
 
 template <int (Turns::Binding::*member)(lua_State*)>
-int Turns::Binding::call(lua_State* L) {
+int Turns::Binding::unguardedCall(lua_State* L) {
     auto* const self = static_cast<Binding*>(lua_touserdata(L, lua_upvalueindex(1)));
     return (self->*member)(L);
 }
@@ -198,7 +203,7 @@ void Turns::Binding::pushFunction(lua_State* L, std::size_t a, std::size_t b) {
     lua_pushlightuserdata(L, this);
     lua_pushnumber(L, static_cast<double>(a));
     lua_pushnumber(L, static_cast<double>(b));
-    lua_pushcclosure(L, &call<member>, 3);
+    lua_pushcclosure(L, &Sandbox::guarded<&Binding::unguardedCall<member>>, 3);
 }
 /// Gives the table on top of the stack a function for missing keys.
 template <int (Turns::Binding::*member)(lua_State*)>

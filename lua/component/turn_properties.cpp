@@ -54,14 +54,18 @@ int Turns::Binding::fieldFallback(lua_State* L) {
     return 1;
 }
 
+void Turns::Binding::refuseField(lua_State* L, DeclaredProperty const& property, std::string const& key) {
+    auto const known = property.keys();
+    sandbox_.raise(L, known.empty() ? fmt::format("{} has no fields", property.name)
+                                    : fmt::format("{} has no '{}'{}; it has {}", property.name, key,
+                                                  didYouMean(key, known), listed(known)));
+}
+
 void Turns::Binding::pushFieldOf(lua_State* L, DeclaredProperty const& property, std::string const& key,
                                  ObjectId id) {
     FieldPlace const* const place = property.field(key);
     if (place == nullptr) {
-        auto const known = property.keys();
-        sandbox_.raise(L, known.empty() ? fmt::format("{} has no fields", property.name)
-                                        : fmt::format("{} has no '{}'{}; it has {}", property.name, key,
-                                                      didYouMean(key, known), listed(known)));
+        refuseField(L, property, key);
     }
     Home const& home = homeOf(property);
     if (isPlain(*place)) {
@@ -91,6 +95,21 @@ void Turns::Binding::pushTableOf(lua_State* L, DeclaredProperty const& property,
         pushFieldOf(L, property, std::string(place.info.key), id);
         lua_rawset(L, -3);
     }
+    get(L, readingMetas_[numberOf(property)]);
+    sandbox_.closeReading(L);
+}
+
+/// A field of a table that pushTableOf() has made: nil for one that depends on a choice that was not made.
+int Turns::Binding::readingIndex(lua_State* L) {
+    sandbox_.pushInside(L, 1);
+    lua_pushvalue(L, 2);
+    lua_rawget(L, -2);
+    DeclaredProperty const& property = script_->reads[upvalue(L, 1)];
+    std::string const key = keyAt(L, 2);
+    if (lua_isnil(L, -1) && property.field(key) == nullptr) {
+        refuseField(L, property, key);
+    }
+    return 1;
 }
 
 int Turns::Binding::worldIndex(lua_State* L) {
@@ -120,7 +139,11 @@ int Turns::Binding::worldIndex(lua_State* L) {
 }
 
 Home const& Turns::Binding::homeOf(DeclaredProperty const& property) const {
-    return context_->homes[static_cast<std::size_t>(&property - script_->reads.data())];
+    return context_->homes[numberOf(property)];
+}
+
+std::size_t Turns::Binding::numberOf(DeclaredProperty const& property) const {
+    return static_cast<std::size_t>(&property - script_->reads.data());
 }
 
 } // namespace trembler::lua

@@ -39,6 +39,9 @@ int Turns::Binding::storeChange(lua_State* L) {
     } else {
         wrong = context_->kept.setOfObject(idOf(0), field, std::move(*value));
     }
+    if (context_->kept.full()) {
+        sandbox_.raiseLimit(L, wrong);
+    }
     if (!wrong.empty()) {
         sandbox_.raise(L, wrong);
     }

@@ -52,6 +52,7 @@ void Turns::Binding::closeMetatable(lua_State* L, std::string_view name) {
 
 void Turns::Binding::setUp(lua_State* L) {
     direct_ = !sandbox_.source().assignsFields;
+    setUpReadings(L);
     setUpHandles(L);
     if (script_->manifest.application != Application::once) {
         setUpSlot(L, 0, script_->first);
@@ -66,6 +67,21 @@ void Turns::Binding::setUp(lua_State* L) {
     setUpWorld(L);
     if (sandbox_.trusted() && canDrive()) {
         setUpDriver(L);
+    }
+}
+
+void Turns::Binding::setUpReadings(lua_State* L) {
+    for (std::size_t read = 0; read < script_->reads.size(); ++read) {
+        lua_newtable(L);
+        sandbox_.pushReadingMeta(L);
+        for (char const* const key : {"__newindex", "__metatable"}) {
+            lua_getfield(L, -1, key);
+            lua_setfield(L, -3, key);
+        }
+        lua_pop(L, 1);
+        pushFunction<&Binding::readingIndex>(L, read);
+        lua_setfield(L, -2, "__index");
+        readingMetas_.push_back(keep(L));
     }
 }
 

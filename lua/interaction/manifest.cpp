@@ -22,8 +22,8 @@ bool isWordCharacter(char c) {
 }
 
 /// Where a word first stands in a text by itself; npos: nowhere.
-std::size_t placeOf(std::string_view source, std::string_view word) {
-    for (std::size_t at = word.empty() ? std::string_view::npos : source.find(word);
+std::size_t placeOf(std::string_view source, std::string_view word, std::size_t from = 0) {
+    for (std::size_t at = word.empty() ? std::string_view::npos : source.find(word, from);
          at != std::string_view::npos; at = source.find(word, at + 1)) {
         bool const begins = at == 0 || !isWordCharacter(source[at - 1]) || !isWordCharacter(word.front());
         bool const ends = at + word.size() == source.size() || !isWordCharacter(source[at + word.size()]) ||
@@ -33,6 +33,12 @@ std::size_t placeOf(std::string_view source, std::string_view word) {
         }
     }
     return std::string_view::npos;
+}
+
+/// The line of a place in a text, from 1.
+std::size_t lineAt(std::string_view source, std::size_t at) {
+    return 1 + static_cast<std::size_t>(
+                   std::count(source.begin(), source.begin() + static_cast<std::ptrdiff_t>(at), '\n'));
 }
 
 /// The column of a place in a text, from 1, in bytes.
@@ -71,16 +77,15 @@ Parameter const* Manifest::parameter(std::string_view name_) const {
 
 std::size_t Manifest::lineOf(std::string_view word) const {
     std::size_t const at = placeOf(source, word);
-    return at == std::string::npos
-               ? 0
-               : 1 + static_cast<std::size_t>(
-                         std::count(source.begin(), source.begin() + static_cast<std::ptrdiff_t>(at), '\n'));
+    return at == std::string::npos ? 0 : lineAt(source, at);
 }
 
-Diagnostic Manifest::problem(std::string_view word, std::string message, std::string expected) const {
-    std::size_t const at = placeOf(source, word);
+Diagnostic Manifest::problem(std::string_view word, std::string message, std::string expected,
+                             std::string_view table) const {
+    std::size_t const begin = placeOf(source, table);
+    std::size_t const at = placeOf(source, word, begin == std::string::npos ? 0 : begin);
     return {.file = file,
-            .line = lineOf(word),
+            .line = at == std::string::npos ? std::size_t{0} : lineAt(source, at),
             .column = at == std::string::npos ? std::size_t{0} : columnOf(source, at),
             .path = "",
             .message = std::move(message),

@@ -62,8 +62,9 @@ struct Manifest {
     [[nodiscard]] Parameter const* parameter(std::string_view name_) const;
     /// The line in which a word first stands in the script; 0: nowhere.
     [[nodiscard]] std::size_t lineOf(std::string_view word) const;
-    /// A problem, at the line in which `word` stands.
-    [[nodiscard]] Diagnostic problem(std::string_view word, std::string message, std::string expected) const;
+    /// A problem, at the line in which `word` stands; with `table`, first behind that word.
+    [[nodiscard]] Diagnostic problem(std::string_view word, std::string message, std::string expected,
+                                     std::string_view table = {}) const;
 };
 
 /// Reads a script's statements about itself. Adds all errors to `problems`, with file and line. Does not

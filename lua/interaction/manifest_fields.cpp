@@ -17,6 +17,11 @@ void ManifestFields::complain(std::string_view word, std::string message, std::s
     problems_.add(place_.problem(word, std::move(message), std::move(expected)));
 }
 
+void ManifestFields::complainIn(std::string_view table, std::string_view word, std::string message,
+                                std::string expected) const {
+    problems_.add(place_.problem(word, std::move(message), std::move(expected), table));
+}
+
 void ManifestFields::onlyKeys(json const& table, std::string const& where,
                               std::vector<std::string> const& known) const {
     if (!table.is_object()) {
@@ -57,7 +62,8 @@ bool ManifestFields::flag(json const& table, char const* key) const {
     return table[key].get<bool>();
 }
 
-std::vector<std::string> ManifestFields::namesIn(json const& list, std::string_view key) const {
+std::vector<std::string> ManifestFields::namesIn(json const& list, std::string_view key,
+                                                 NamesWords const& words) const {
     std::vector<std::string> all;
     bool good = list.is_array() && list.size() <= 50;
     for (json const& name : good ? list : json::array()) {
@@ -65,14 +71,14 @@ std::vector<std::string> ManifestFields::namesIn(json const& list, std::string_v
             good = false;
         } else if (std::find(all.begin(), all.end(), name.get<std::string>()) != all.end()) {
             complain(name.get<std::string>(), fmt::format("'{}' is repeated", name.get<std::string>()),
-                     "every property once");
+                     std::string(words.once));
         } else {
             all.push_back(name.get<std::string>());
         }
     }
     if (!good) {
-        complain(key, fmt::format("'{}' is no list of names of properties", key),
-                 fmt::format("{} = {{ \"Position\", \"Velocity\" }}", key));
+        complain(key, fmt::format(fmt::runtime(words.wrong), key),
+                 fmt::format(fmt::runtime(words.example), key));
     }
     return all;
 }

@@ -20,6 +20,11 @@ using nlohmann::json;
 
 namespace {
 
+/// Of a store, for objects or for the script.
+constexpr std::size_t mostStoreFields = 32;
+/// Bytes that a state needs before any script runs in it.
+constexpr std::size_t leastMemory = std::size_t{1} << 19U;
+
 bool isIdentifier(std::string_view name) {
     auto const good = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
     return !name.empty() && name.size() <= 40 && std::all_of(name.begin(), name.end(), good) &&
@@ -157,8 +162,8 @@ private:
         made.initial = *initial;
         made.unit = text(stated, "unit", false, 20);
         made.text = text(stated, "text", false, 300);
-        made.choices =
-            stated.contains("choices") ? namesIn(stated["choices"], "choices") : std::vector<std::string>();
+        made.choices = stated.contains("choices") ? namesIn(stated["choices"], "choices", choiceWords)
+                                                  : std::vector<std::string>();
         if (double const* const number = std::get_if<double>(&made.initial)) {
             bool good = true;
             for (auto const& [key, limit] : {std::pair{"min", &made.minimum}, {"max", &made.maximum}}) {
@@ -212,6 +217,11 @@ private:
             if (!store.contains(key)) {
                 continue;
             }
+            if (store[key].size() > mostStoreFields) {
+                complain(key, fmt::format("'{}' in 'store' has {} fields", key, store[key].size()),
+                         fmt::format("at most {}", mostStoreFields));
+                continue;
+            }
             for (auto const& [name, initial] : store[key].items()) {
                 auto const value = valueOf(initial);
                 if (!isIdentifier(name) || !value || !isFinite(*value)) {
@@ -227,37 +237,47 @@ private:
         }
     }
 
+    /// A value that is no number in its place, in words.
+    static std::string inWords(json const& value) {
+        if (value.is_number()) {
+            return std::isnan(value.get<double>()) ? "nan" : fmt::format("{}", value.get<double>());
+        }
+        return value.is_string() ? "a text" : value.is_boolean() ? "true or false" : "a table";
+    }
+
     void readLimits(json const& all) {
         if (!all.contains("limits")) {
+            return;
+        }
+        if (!all["limits"].is_object() && !(all["limits"].is_array() && all["limits"].empty())) {
+            complain("limits", "'limits' is no table", "limits = { instructions = 60000 }");
             return;
         }
         onlyKeys(all["limits"], " in 'limits'",
                  {"instructions", "instructions_per_object", "memory", "calls", "calls_per_object",
                   "creations", "log_lines"});
         ScriptLimits const most = allowedLimits();
-        auto const limit = [&](char const* key, auto& value, auto greatest) {
-            if (!all["limits"].is_object() || !all["limits"].contains(key)) {
+        auto const limit = [&](char const* key, auto& value, auto greatest, std::size_t least = 0) {
+            if (!all["limits"].contains(key)) {
                 return;
             }
             json const& stated = all["limits"][key];
-            if (!stated.is_number() || !(stated.get<double>() >= 0) ||
-                !(stated.get<double>() <= static_cast<double>(greatest))) {
-                complain(key, fmt::format("the limit '{}' is too large", key),
-                         fmt::format("at most {}", greatest));
+            double const number = stated.is_number() ? stated.get<double>() : -1;
+            if (!(number >= static_cast<double>(least)) || !(number <= static_cast<double>(greatest)) ||
+                number != std::floor(number)) {
+                complainIn("limits", key, fmt::format("'limits.{}' cannot be {}", key, inWords(stated)),
+                           fmt::format("a whole number from {} to {}", least, greatest));
                 return;
             }
             value = static_cast<std::remove_reference_t<decltype(value)>>(stated.get<double>());
         };
         limit("instructions", manifest_.limits.instructions, most.instructions);
         limit("instructions_per_object", manifest_.limits.instructionsPerObject, most.instructionsPerObject);
-        limit("memory", manifest_.limits.memory, most.memory);
+        limit("memory", manifest_.limits.memory, most.memory, leastMemory);
         limit("calls", manifest_.limits.calls, most.calls);
         limit("calls_per_object", manifest_.limits.callsPerObject, most.callsPerObject);
         limit("creations", manifest_.limits.creations, most.creations);
         limit("log_lines", manifest_.limits.logLines, most.logLines);
-        constexpr std::size_t least = std::size_t{1}
-                                      << 19U; // bytes that a state needs before any script runs in it
-        manifest_.limits.memory = std::max(manifest_.limits.memory, least);
         // A limit of the memory in use has no effect above the limit of all that may be allocated.
         manifest_.limits.allocation = std::max(manifest_.limits.allocation, manifest_.limits.memory);
     }

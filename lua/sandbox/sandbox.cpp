@@ -70,7 +70,8 @@ void Sandbox::openLibraries(lua_State* L) {
 }
 
 void Sandbox::open() {
-    auto const failed = protect([this](lua_State* L) {
+    memory_.setHost(true);
+    auto const failed = run(state_, [this](lua_State* L) {
         if (trusted()) {
             lua_gc(L, LUA_GCSETPAUSE, 110); // or garbage is taken for memory that is needed
         } else {
@@ -94,7 +95,12 @@ void Sandbox::open() {
         luaL_register(L, nullptr, Functions::all);
         pushString(L, joinerName);
         lua_setfield(L, -2, "joiner");
-        lua_call(L, 2, 10);
+        pushString(L, CountedSource::lengthName);
+        lua_setfield(L, -2, "lengthener");
+        lua_call(L, 2, 13);
+        inside_ = luaL_ref(L, LUA_REGISTRYINDEX);
+        reading_ = luaL_ref(L, LUA_REGISTRYINDEX);
+        readVectorMeta_ = luaL_ref(L, LUA_REGISTRYINDEX);
         hiddenY_ = luaL_ref(L, LUA_REGISTRYINDEX);
         hiddenX_ = luaL_ref(L, LUA_REGISTRYINDEX);
         hide_ = luaL_ref(L, LUA_REGISTRYINDEX);
@@ -112,6 +118,7 @@ void Sandbox::open() {
     });
     if (failed) {
         lua_close(state_);
+        throwKept();
         throw std::runtime_error(fmt::format("a Lua state could not be made: {}", failed->message));
     }
     memory_.setCap(mostMemory());
@@ -162,6 +169,42 @@ void Sandbox::pushVector(lua_State* L, double x, double y) const {
     lua_rawset(L, -3);
     pushVectorMeta(L);
     lua_setmetatable(L, -2);
+}
+
+void Sandbox::pushReadVector(lua_State* L, double x, double y) const {
+    pushVector(L, x, y);
+    if (source_.assignsFields) {
+        lua_rawgeti(L, LUA_REGISTRYINDEX, readVectorMeta_);
+        lua_setmetatable(L, -2);
+    }
+}
+
+void Sandbox::pushReadingMeta(lua_State* L) const {
+    lua_rawgeti(L, LUA_REGISTRYINDEX, reading_);
+}
+void Sandbox::pushReadingMark(lua_State* L) const {
+    pushReadingMeta(L);
+    lua_getfield(L, -1, "__metatable");
+    lua_replace(L, -2);
+}
+void Sandbox::closeReading(lua_State* L) const {
+    luaL_checkstack(L, 4, "tables in tables");
+    if (source_.assignsFields) {
+        lua_createtable(L, 0, 1);
+        lua_rawgeti(L, LUA_REGISTRYINDEX, inside_);
+        lua_pushvalue(L, -4);
+        lua_rawset(L, -3);
+        lua_replace(L, -3);
+    }
+    lua_setmetatable(L, -2);
+}
+void Sandbox::pushInside(lua_State* L, int index) const {
+    if (!source_.assignsFields) {
+        lua_pushvalue(L, index);
+        return;
+    }
+    lua_rawgeti(L, LUA_REGISTRYINDEX, inside_);
+    lua_rawget(L, index);
 }
 
 void Sandbox::pushText(lua_State* L, std::string_view text) {

@@ -6,10 +6,12 @@
 #include "lua/sandbox/source/counted_source.hpp"
 #include "runtime/math/vec2.hpp"
 
+#include <exception>
 #include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 struct lua_State;
 
@@ -31,6 +33,9 @@ struct CallBudget {
 /// The memory, the instructions and the functions that a script gets. A script's text is run again in each
 /// turn, and no value that it makes lasts to the next one, so it cannot keep a state that is not hashed. Used
 /// by one thread at a time.
+///
+/// Scripts never see an exception of C++, which they could catch: it ends the turn, or protect(), and is
+/// thrown again from there.
 ///
 /// The memory that an untrusted script uses is the same in every run, to the byte. LuaJIT's collector would
 /// prevent that: it goes through the strings in the order of their hashes, for which each state has a random
@@ -88,12 +93,28 @@ public:
     /// tables, which scripts may neither look through nor change. No script can get either value.
     void pushVectorMark(lua_State* L) const;
     void pushHostMark(lua_State* L) const;
+    /// The same of readings, see below.
+    void pushReadingMark(lua_State* L) const;
     /// Pushes the keys of a vector's coordinates: "x" and "y" or, where the script assigns to fields, two
     /// that it cannot name.
     void pushVectorKeyX(lua_State* L) const;
     void pushVectorKeyY(lua_State* L) const;
     /// Pushes a vector.
     void pushVector(lua_State* L, double x, double y) const;
+    /// The same for one that is a copy of what the script reads: it cannot be changed, as that would change
+    /// nothing else.
+    void pushReadVector(lua_State* L, double x, double y) const;
+    // Tables and lists that are made when a script reads them: the script may look through them, with
+    // pairs(), ipairs() and #, and cannot change them. A script that assigns to fields sees an empty table in
+    // place of one, in which it stands under a key that the script cannot name.
+
+    /// Pushes the metatable of readings, which the host may copy to answer missing keys in its own way.
+    void pushReadingMeta(lua_State* L) const;
+    /// Pops a metatable and the table below it, and pushes what the script sees of the table. Other keys than
+    /// those that are there are answered by the metatable.
+    void closeReading(lua_State* L) const;
+    /// Pushes the table itself of the reading at `index`, which is counted from the stack's beginning.
+    void pushInside(lua_State* L, int index) const;
     /// Pushes a text for the script: one that reads as a long number in brackets (see readsAsLongNumber()).
     /// Counts it, and raises a Lua error if it is longer than longestString.
     void pushText(lua_State* L, std::string_view text);
@@ -107,6 +128,8 @@ public:
     void chargeCall(lua_State* L, bool creates = false);
     /// Raises an error with the place in the script that is under way.
     [[noreturn]] void raise(lua_State* L, std::string const& message);
+    /// The same as a limit, which ends the turn: the script cannot catch it.
+    [[noreturn]] void raiseLimit(lua_State* L, std::string const& message) { stop(L, message); }
     /// Raises an error if the arguments on the stack are not those of the host's function of that name.
     void checkArguments(lua_State* L, std::string_view function);
 
@@ -127,6 +150,9 @@ public:
     static constexpr std::string_view tooDeep = "the script calls itself too deeply";
     /// The sandbox of a state.
     [[nodiscard]] static Sandbox& of(lua_State* L);
+    /// A function of the host as Lua calls it: an exception of C++ in it ends the turn like a limit.
+    template <int (*function)(lua_State*)>
+    static int guarded(lua_State* L);
 
 private:
     struct Functions;                          // those of the host that Lua calls: prelude/host_functions.hpp
@@ -142,6 +168,9 @@ private:
     [[noreturn]] void over(lua_State* L);
     /// `placed`: put the place in the script before the message.
     [[noreturn]] void stop(lua_State* L, std::string const& message, bool placed = true);
+    /// Keeps the exception and raises an error that no script can catch.
+    [[noreturn]] void endBy(lua_State* L, std::exception_ptr exception);
+    void throwKept();
     void open();
     void openLibraries(lua_State* L);
     /// Compiles a text with counters, and pushes its function.
@@ -176,6 +205,9 @@ private:
     int vectorY_ = 0;
     int hiddenX_ = 0;
     int hiddenY_ = 0;
+    int readVectorMeta_ = 0;
+    int reading_ = 0;
+    int inside_ = 0;
     int ffi_ = 0;
     int counted_ = 0;   // a function that shares the counter
     int counterAt_ = 0; // the place of the counter among its upvalues
@@ -198,6 +230,19 @@ private:
     bool refusedDeep_ = false;     // with very many calls under way
     std::string refusedCalls_;     // the innermost of these
     ScriptError error_;            // of the run under way: filled by its message handler
+    std::exception_ptr kept_;      // that has ended it
 };
+
+// Errors of Lua pass through as foreign exceptions, which a handler of std::exception does not catch.
+template <int (*function)(lua_State*)>
+int Sandbox::guarded(lua_State* L) {
+    std::exception_ptr exception;
+    try {
+        return function(L);
+    } catch (std::exception const&) {
+        exception = std::current_exception();
+    }
+    of(L).endBy(L, std::move(exception));
+}
 
 } // namespace trembler::lua

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <lua.hpp>
+#include <utility>
 
 namespace trembler::lua {
 namespace {
@@ -85,6 +86,17 @@ void Sandbox::stop(lua_State* L, std::string const& message, bool placed) {
         setLeft(L, -1);
     }
     pushString(L, stopped_);
+    lua_error(L);
+    std::abort(); // lua_error() does not return
+}
+
+void Sandbox::endBy(lua_State* L, std::exception_ptr exception) {
+    kept_ = kept_ ? kept_ : std::move(exception);
+    std::string const message = "exception"; // so short that it needs no memory
+    if (counting_) {
+        stop(L, message, false);
+    }
+    pushString(L, message);
     lua_error(L);
     std::abort(); // lua_error() does not return
 }

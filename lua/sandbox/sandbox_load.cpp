@@ -35,7 +35,7 @@ std::optional<ScriptError> Sandbox::load(std::string_view text, std::string cons
             lua_error(L); // LuaJIT's message quotes the script, and not the text with the counters if that is
                           // possible
         }
-        lua_pushcfunction(L, Functions::over);
+        lua_pushcfunction(L, guarded<Functions::over>);
         lua_call(L, 1, 1);
         bindCounter(L);
         if (source_.assignsFields) {
@@ -55,7 +55,7 @@ void Sandbox::compile(lua_State* L, CountedSource const& source, std::string con
     if (luaL_loadbuffer(L, source.text.data(), source.text.size(), name.c_str()) != 0) {
         lua_error(L);
     }
-    lua_pushcfunction(L, Functions::over);
+    lua_pushcfunction(L, guarded<Functions::over>);
     lua_call(L, 1, 1);
 }
 

@@ -13,13 +13,22 @@ namespace trembler::lua {
 
 std::optional<ScriptError> Sandbox::protect(Body const& body) {
     memory_.setHost(true);
-    return run(state_, body);
+    auto failed = run(state_, body);
+    throwKept();
+    return failed;
+}
+
+void Sandbox::throwKept() {
+    if (kept_) {
+        std::rethrow_exception(std::exchange(kept_, nullptr));
+    }
 }
 
 // A stack keeps the size to which a script has made it grow, and how far it can grow depends on it.
 std::optional<ScriptError> Sandbox::runOnNewStack(Body const& body) {
     std::optional<ScriptError> failed;
-    auto noStack = protect([&](lua_State* L) {
+    memory_.setHost(true);
+    auto noStack = run(state_, [&](lua_State* L) {
         running_ = lua_newthread(L);
         failed = run(running_, body);
         running_ = nullptr;
@@ -68,9 +77,11 @@ std::optional<ScriptError> Sandbox::turn(std::size_t objects, Body const& body, 
         setLeft(L, left_);
         body(L);
     };
-    auto failed = trusted() ? protect(whole) : runOnNewStack(whole);
+    memory_.setHost(true);
+    auto failed = trusted() ? run(state_, whole) : runOnNewStack(whole);
     counting_ = false;
     finishTurn(failed);
+    throwKept();
     return failed;
 }
 
@@ -122,8 +133,8 @@ std::optional<ScriptError> Sandbox::run(lua_State* L, Body const& body) {
     error_ = {};
     int const top = lua_gettop(L);
     // Pushing these needs no memory beyond the stack that every state has.
-    lua_pushcfunction(L, Functions::handler);
-    lua_pushcfunction(L, Functions::body);
+    lua_pushcfunction(L, guarded<Functions::handler>);
+    lua_pushcfunction(L, guarded<Functions::body>);
     lua_pushlightuserdata(L, const_cast<Body*>(&body)); // NOLINT: it is called as const
     int const status = lua_pcall(L, 1, 0, top + 1);
     memory_.setHost(true);

@@ -43,11 +43,11 @@ std::string kindOf(lua_State* L, int index) {
         }
         Sandbox const& sandbox = Sandbox::of(L);
         std::string kind = "table";
-        sandbox.pushVectorMeta(L);
+        sandbox.pushVectorMark(L); // also of vectors that were read, which have a metatable of their own
         lua_pushliteral(L, "__metatable");
         lua_rawget(L, -3);
         sandbox.pushHostMark(L);
-        if (lua_rawequal(L, -3, -4) != 0) {
+        if (lua_rawequal(L, -2, -3) != 0) {
             kind = "vector";
         } else if (lua_rawequal(L, -1, -2) != 0) {
             lua_pushliteral(L, "__name");

@@ -23,7 +23,8 @@ void pushString(lua_State* L, std::string_view text);
 /// Every value as a script may see it as a text: no address is in it, and all runs have the same. Not
 /// bounded.
 [[nodiscard]] std::string shownText(lua_State* L, int index);
-/// The number at `index` as Lua writes it.
+/// A number as Lua writes it, for every message that a script may see: of all that are not a number it writes
+/// the same, where other functions show a sign, which differs between compiled and interpreted code.
 [[nodiscard]] std::string numberText(lua_State* L, double number);
 
 } // namespace trembler::lua

@@ -57,7 +57,7 @@ std::size_t bytesOf(Event const& event) {
 [[noreturn]] void throwTooMuch() {
     throw std::length_error(
         fmt::format("an account of at most {} components, {} chunks of 1024 rows and {} frames, "
-                    "or parts of frames, can be kept; turn tracing off",
+                    "or parts of frames, can be kept: compute fewer frames, or run without an account",
                     componentLimit, chunkLimit, stepLimit));
 }
 
@@ -86,8 +86,10 @@ void EventSink::restart(Moment when) {
 EventId EventSink::record(std::string_view event, std::span<ObjectId const> objects,
                           std::span<EventId const> causes) {
     if (events_.size() + 1 >= sequenceLimit) {
-        throw std::length_error(fmt::format("{} records more than {} events in one frame; turn tracing off",
-                                            component_, sequenceLimit));
+        throw std::length_error(
+            fmt::format("{} records more than {} events in frame {}; expected at most that many "
+                        "in an account: compute fewer frames, or run without an account",
+                        component_, sequenceLimit, when_.frame));
     }
     Event made;
     made.id = EventId{base_ + events_.size() + 1};
@@ -118,7 +120,7 @@ void Tracer::gather(EventSink& sink) {
         if (bytes_ > mostBytes_) {
             throw std::length_error(fmt::format(
                 "the account of this run takes more than {} MB of memory in frame {}; expected at most that "
-                "much: compute fewer frames, or turn tracing off",
+                "much: compute fewer frames, or run without an account",
                 mostBytes_ / 1'000'000, event.frame));
         }
         events_.push_back(std::move(event));

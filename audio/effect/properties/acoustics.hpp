@@ -55,7 +55,8 @@ struct Acoustics {
                       .unit = "",
                       .meaning = "frequencies of all modes, divided by the lowest; empty: those of the form",
                       .minimum = 0.01,
-                      .maximum = 1000},
+                      .maximum = 1000,
+                      .most = 64},
             self.partials);
     }
     friend bool operator==(Acoustics const&, Acoustics const&) = default;

@@ -50,10 +50,9 @@ function env.tonumber(v, base)
   if base ~= nil then return raw.tonumber(v, base) end
   return raw.tonumber(v)
 end
-env.ipairs = raw.ipairs
 function env.getmetatable(v)
   local meta = rawgetmetatable(v)
-  if meta == vectors or meta == hosts then return false end
+  if meta == vectors or meta == hosts or meta == readings then return false end
   return meta
 end
 

@@ -18,8 +18,9 @@ local str, tab, co = raw.string, raw.table, raw.coroutine
 local env = {}
 
 -- What raw.getmetatable() gives for a vector, and for every other table of the host. No script gets them, so none
--- can make a table that is taken for one of these.
-local vectors, hosts = {}, {}
+-- can make a table that is taken for one of these. `readings` are tables that are made when a script reads them: it
+-- may look through them.
+local vectors, hosts, readings = {}, {}, {}
 
 local contents = {} -- of a read-only table, by that table
 local function readOnly(name, content, why)
@@ -38,7 +39,8 @@ end
 
 -- Kinds of arguments: see signatures.hpp. A table of the host is none that a script may look through or change.
 local function isVec(v) return type(v) == "table" and rawgetmetatable(v) == vectors end
-local function isOwn(v) return type(v) == "table" and rawgetmetatable(v) ~= hosts and rawgetmetatable(v) ~= vectors end
+local function isListed(v) return type(v) == "table" and rawgetmetatable(v) ~= hosts and rawgetmetatable(v) ~= vectors end
+local function isOwn(v) return isListed(v) and rawgetmetatable(v) ~= readings end
 local function isLooked(v) return type(v) == "table" and rawgetmetatable(v) ~= hosts end
 -- A place in a text or a list as whole number of 32 bits: Lua's own functions convert others differently from
 -- machine to machine.

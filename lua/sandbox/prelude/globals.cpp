@@ -31,8 +31,8 @@ local function fill(plain)
     rawset(globals, key, plain and contents[value] or value)
   end
 end
-local function hide() hidden = true end
-return globals, env, function() depth, made = 0, 0 end, Vec2, fill, hosts, vectors, hide, hiddenX, hiddenY
+return globals, env, function() depth, made = 0, 0 end, Vec2, fill, hosts, vectors, hide, hiddenX, hiddenY,
+  ReadVec2, reading, inside
 )lua";
     return text;
 }

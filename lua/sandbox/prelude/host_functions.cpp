@@ -26,7 +26,8 @@ constexpr double chargePerVectorText = 20;
 double angleAt(lua_State* L) {
     double const angle = lua_tonumber(L, 1); // the prelude has checked it, as in all functions below
     if (!(std::abs(angle) <= largestAngle)) {
-        Sandbox::of(L).raise(L, fmt::format("an angle of {} rad; expected at most {}", angle, largestAngle));
+        Sandbox::of(L).raise(L, fmt::format("an angle of {} rad; expected at most {}", numberText(L, angle),
+                                            numberText(L, largestAngle)));
     }
     return angle;
 }
@@ -53,6 +54,27 @@ std::optional<std::string> tooDeepIn(std::string_view text) {
     return fmt::format("{}{}", text.substr(0, at), Sandbox::tooDeep);
 }
 
+/// A text of a script in which no line ends, or a player could take its rest for a line of the program's own.
+/// Other control characters are shown by whoever shows the text.
+std::string inOneLine(std::string text) {
+    for (std::size_t at = text.find('\n'); at != std::string::npos; at = text.find('\n', at)) {
+        text.replace(at, 1, "<U+000A>");
+    }
+    return text;
+}
+
+/// A key as messages show it.
+std::string shownKey(lua_State* L, int index) {
+    std::string shown = textAt(L, index);
+    if (lua_type(L, index) == LUA_TNUMBER) {
+        shown = fmt::format("[{}]", numberText(L, lua_tonumber(L, index)));
+    } else if (lua_type(L, index) != LUA_TSTRING) {
+        shown = fmt::format("[{}]", kindOf(L, index));
+    }
+    shown.resize(std::min<std::size_t>(shown.size(), 60));
+    return shown;
+}
+
 } // namespace
 
 int Sandbox::Functions::charge(lua_State* L) {
@@ -61,14 +83,7 @@ int Sandbox::Functions::charge(lua_State* L) {
 }
 
 int Sandbox::Functions::show(lua_State* L) {
-    std::string shown = textAt(L, 1);
-    if (lua_type(L, 1) == LUA_TNUMBER) {
-        shown = fmt::format("[{}]", lua_tonumber(L, 1));
-    } else if (lua_type(L, 1) != LUA_TSTRING) {
-        shown = fmt::format("[{}]", kindOf(L, 1));
-    }
-    shown.resize(std::min<std::size_t>(shown.size(), 60));
-    pushString(L, shown);
+    pushString(L, shownKey(L, 1));
     return 1;
 }
 
@@ -118,6 +133,20 @@ int Sandbox::Functions::fail(lua_State* L) {
     of(L).raise(L, textAt(L, 1));
 }
 
+/// What a script reads cannot be changed: raises the error of an assignment to the key at index 2.
+int Sandbox::Functions::refuseChange(lua_State* L) {
+    std::string const key = shownKey(L, 2);
+    if (kindOf(L, 1) == "vector") {
+        of(L).raise(L, fmt::format("'{}' of a vector that was read cannot be changed, as that would change "
+                                   "nothing else; expected another vector, vec2(x, y), as in "
+                                   "store.object.speed = vec2(x, y)",
+                                   key));
+    }
+    of(L).raise(L, fmt::format("'{}' cannot be changed: an interaction changes nothing but by calling its "
+                               "resolver, and what it keeps is in store",
+                               key));
+}
+
 int Sandbox::Functions::refuse(lua_State* L) {
     HostFunction const& function = hostFunction(textAt(L, 1));
     lua_remove(L, 1);
@@ -130,7 +159,7 @@ int Sandbox::Functions::refuse(lua_State* L) {
 
 int Sandbox::Functions::log(lua_State* L) {
     Sandbox& sandbox = of(L);
-    std::string line = textAt(L, 1);
+    std::string line = inOneLine(textAt(L, 1));
     line.resize(std::min(line.size(), longestLogLine));
     if (sandbox.logged_ < sandbox.limits_.logLines && sandbox.onLog) {
         ++sandbox.logged_;
@@ -204,13 +233,28 @@ int Sandbox::Functions::logE(lua_State* L) {
     return 1;
 }
 
-luaL_Reg const Sandbox::Functions::all[] = {
-    {"charge", charge}, {"show", show}, {"suggest", suggest}, {"list", list},
-    {"kind", kind},     {"text", text}, {"caught", caught},   {"fail", fail},
-    {"refuse", refuse}, {"log", log},   {"limited", limited}, {"limitText", limitText},
-    {"sin", sin},       {"cos", cos},   {"atan2", atan2},     {"exp", exp},
-    {"log_e", logE},    {"join", join}, {"plain", plain},     {"keepGarbage", keepGarbage},
-    {nullptr, nullptr}};
+luaL_Reg const Sandbox::Functions::all[] = {{"charge", guarded<charge>},
+                                            {"show", guarded<show>},
+                                            {"suggest", guarded<suggest>},
+                                            {"list", guarded<list>},
+                                            {"kind", guarded<kind>},
+                                            {"text", guarded<text>},
+                                            {"caught", guarded<caught>},
+                                            {"fail", guarded<fail>},
+                                            {"refuse", guarded<refuse>},
+                                            {"log", guarded<log>},
+                                            {"limited", guarded<limited>},
+                                            {"limitText", guarded<limitText>},
+                                            {"sin", guarded<sin>},
+                                            {"cos", guarded<cos>},
+                                            {"atan2", guarded<atan2>},
+                                            {"exp", guarded<exp>},
+                                            {"log_e", guarded<logE>},
+                                            {"join", guarded<join>},
+                                            {"plain", guarded<plain>},
+                                            {"keepGarbage", guarded<keepGarbage>},
+                                            {"refuseChange", guarded<refuseChange>},
+                                            {nullptr, nullptr}};
 
 int Sandbox::Functions::over(lua_State* L) {
     of(L).over(L);
@@ -237,6 +281,7 @@ int Sandbox::Functions::handler(lua_State* L) {
         text = *tooDeep;
         sandbox.error_.limit = true;
     }
+    text = inOneLine(std::move(text));
     text.resize(std::min(text.size(), longestString));
     sandbox.error_.message = std::move(text);
     // Of a script that has caught this error and was stopped again, the calls are no longer those.

@@ -23,6 +23,7 @@ struct Sandbox::Functions {
     static int caught(lua_State* L);
     static int fail(lua_State* L);
     static int refuse(lua_State* L);
+    static int refuseChange(lua_State* L);
     static int log(lua_State* L);
     static int limited(lua_State* L);
     static int limitText(lua_State* L);

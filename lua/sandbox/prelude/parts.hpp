@@ -9,6 +9,7 @@ namespace trembler::lua {
 [[nodiscard]] std::string_view foundationsPart();
 [[nodiscard]] std::string_view errorsPart();
 [[nodiscard]] std::string_view vectorsPart();
+[[nodiscard]] std::string_view readingsPart();
 [[nodiscard]] std::string_view textPart();
 [[nodiscard]] std::string_view tablesPart();
 [[nodiscard]] std::string_view numbersPart();

@@ -15,8 +15,8 @@ namespace trembler::lua {
 std::string_view preludeText() {
     static std::string const text = [] {
         std::string joined;
-        for (std::string_view const part :
-             {foundationsPart(), errorsPart(), vectorsPart(), textPart(), tablesPart(), numbersPart()}) {
+        for (std::string_view const part : {foundationsPart(), errorsPart(), vectorsPart(), readingsPart(),
+                                            textPart(), tablesPart(), numbersPart()}) {
             joined += part;
         }
         joined += signaturesPart();

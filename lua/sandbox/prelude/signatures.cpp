@@ -20,7 +20,7 @@ struct KindWords {
     std::string_view refused; ///< Lua that is true if {} is of another kind
 };
 
-constexpr std::array<KindWords, 11> kindWords{{
+constexpr std::array<KindWords, 12> kindWords{{
     {"any", "a value", ""},
     {"number", "a number", "type({}) ~= 'number'"},
     {"text", "a text", "type({}) ~= 'string'"},
@@ -28,6 +28,7 @@ constexpr std::array<KindWords, 11> kindWords{{
     {"callable", "a function", "not isCallable({})"},
     {"coroutine", "a coroutine", "type({}) ~= 'thread'"},
     {"table", "a table of the script's own", "not isOwn({})"},
+    {"listed", "a table of the script's own", "not isListed({})"},
     {"looked", "a table of the script's own", "not isLooked({})"},
     {"vector", "a vector, vec2(x, y)", "not isVec({})"},
     {"index", "a number or '#'", "(type({0}) ~= 'number' and {0} ~= '#')"},
@@ -79,16 +80,16 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 63> function
     {"string.format", "form:text ...:any"},
     {"tostring", "value:any"},
     {"tonumber", "s:any base?:number"},
-    {"ipairs", "list:table"},
+    {"ipairs", "list:listed"},
     {"pairs", "table:looked"},
     {"next", "table:looked key?:any"},
     {"select", "n:index ...:any"},
-    {"unpack", "list:table from?:number to?:number"},
-    {"table.unpack", "list:table from?:number to?:number"},
+    {"unpack", "list:listed from?:number to?:number"},
+    {"table.unpack", "list:listed from?:number to?:number"},
     {"table.insert", "list:table at:any value?:any"},
     {"table.remove", "list:table at?:number"},
     {"table.sort", "list:table before?:function"},
-    {"table.concat", "list:table between?:text from?:number to?:number"},
+    {"table.concat", "list:listed between?:text from?:number to?:number"},
     {"type", "value:any"},
     {"assert", "value:any message?:any ...:any"}, // assert(f()) hands on all results
     {"error", "message?:any level?:number"},
@@ -166,6 +167,8 @@ bool isOf(lua_State* L, int index, ArgumentKind kind) {
     case ArgumentKind::coroutine:
         return type == LUA_TTHREAD;
     case ArgumentKind::table:
+        return isOf(L, index, ArgumentKind::listed) && !isTableWith(L, index, &Sandbox::pushReadingMark);
+    case ArgumentKind::listed:
         return type == LUA_TTABLE && !isTableWith(L, index, &Sandbox::pushHostMark) &&
                !isTableWith(L, index, &Sandbox::pushVectorMark);
     case ArgumentKind::looked:

@@ -19,6 +19,7 @@ enum class ArgumentKind {
     callable, ///< a function, or a table, which may have a metamethod for calls
     coroutine,
     table,  ///< of the script's own, no vector
+    listed, ///< the same, or a table that was made when the script read it
     looked, ///< the same, or a vector
     vector,
     index,  ///< a number, or "#"

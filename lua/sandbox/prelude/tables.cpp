@@ -46,6 +46,7 @@ local function keyLess(a, b)
 end
 local function sortedKeys(t, what)
   if isVec(t) then return { "x", "y" } end
+  t = insideOf(t)
   local keys, n, ordered = {}, 0, true
   for key in next, t do
     if order[type(key)] == nil then ordered = false end
@@ -61,7 +62,7 @@ local function sortedKeys(t, what)
 end
 local function fieldOf(t, key)
   if isVec(t) then return t[key] end
-  return rawget(t, key)
+  return rawget(insideOf(t), key)
 end
 -- In the order of the keys: that of Lua's own differs from state to state.
 function env.pairs(t)
@@ -91,6 +92,7 @@ function env.next(t, key)
   err("next: the table has no such key")
 end
 local function unpack(t, from, to)
+  t = insideOf(t)
   from, to = inRange(from or 1), inRange(to or #t)
   if to < from then return end
   if not (to - from < 200) then err("unpack gives at most 200 values") end
@@ -101,6 +103,7 @@ local table = { unpack = unpack }
 function table.insert(t, ...)
   local n, count, a, b = #t, select("#", ...), ...
   if count == 1 then
+    if a == nil then err("argument 'value' of table.insert is nil; expected a value") end
     t[n + 1] = a
     return
   end
@@ -114,8 +117,8 @@ function table.insert(t, ...)
 end
 function table.remove(t, at)
   local n = #t
+  if n == 0 and (at == nil or at == 0) then return nil end
   at = at or n
-  if n == 0 then return nil end
   if not (at >= 1 and at <= n and at == floor(at)) then err("table.remove: the place is not in the list") end
   local value = t[at]
   for i = at, n - 1 do t[i] = t[i + 1] end
@@ -124,6 +127,7 @@ function table.remove(t, at)
 end
 function table.sort(t, before) sort(t, #t, before or less) end
 function table.concat(t, between, from, to)
+  t = insideOf(t)
   between, from, to = between or "", inRange(from or 1), inRange(to or #t)
   -- Of a list of its own: an entry may be another one when it is read again.
   local parts, long = {}, 0

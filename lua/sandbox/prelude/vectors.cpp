@@ -41,6 +41,8 @@ Vec2.__newindex = function(v, key, value)
   end
   rawset(v, key == "x" and hiddenX or hiddenY, value)
 end
+-- Of a vector that is a copy of what the script has read.
+local ReadVec2 = {}
 Vec2.__add = function(a, b) both(a, b, "add") return vec2(a.x + b.x, a.y + b.y) end
 Vec2.__sub = function(a, b) both(a, b, "subtract") return vec2(a.x - b.x, a.y - b.y) end
 Vec2.__unm = function(a) return vec2(-a.x, -a.y) end
@@ -54,6 +56,8 @@ Vec2.__div = function(a, b)
   return vec2(a.x / b, a.y / b)
 end
 Vec2.__eq = function(a, b) return a.x == b.x and a.y == b.y end
+for key, value in next, Vec2 do ReadVec2[key] = value end
+ReadVec2.__newindex = host.refuseChange
 function methods.length(v) return sqrt(v.x * v.x + v.y * v.y) end
 function methods.dot(a, b) return a.x * b.x + a.y * b.y end
 function methods.cross(a, b) return a.x * b.y - a.y * b.x end

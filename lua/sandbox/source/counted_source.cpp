@@ -252,6 +252,14 @@ private:
         if (vectors_ != nullptr && applyBody_ != 0) {
             edits = spreadVectors(tokens_, out_, *vectors_);
         }
+        if (made.assignsFields && !loopsOnly_) {
+            for (Token const& each : tokens_) {
+                if (each.kind == TokenKind::other && each.is("#")) {
+                    edits.push_back(
+                        {each.begin, each.text.size(), fmt::format(" {}^", CountedSource::lengthName)});
+                }
+            }
+        }
         for (Place const& place : places_) {
             Body const& body = bodies_[place.body];
             std::size_t const count = instructions(body.tokens + (place.whole ? body.whole : 0));

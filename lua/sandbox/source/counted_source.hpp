@@ -31,7 +31,8 @@ struct CountedSource {
     /// How many parameters apply then has; `anyNumber` if it takes more or the number is not known.
     std::size_t parameters = anyNumber;
     /// Whether the script may assign to fields other than those of its store. If not, tables can be shown to
-    /// it as they are, without a read-only table before them.
+    /// it as they are, without a read-only table before them. If so, every # in `text` is `lengthName ^`, so
+    /// that the host gives the length of a list that is behind such a table.
     bool assignsFields = false;
     /// The names to which it assigns that may not be local variables.
     std::set<std::string, std::less<>> assigned;
@@ -41,6 +42,8 @@ struct CountedSource {
     static constexpr std::string_view stopName = "__over";
     /// The table of functions that take each vector as two numbers: see spreadVectors().
     static constexpr std::string_view numbersName = "__numbers";
+    /// The left operand of ^ in place of #. No script can write it, nor ^, which binds as closely as #.
+    static constexpr std::string_view lengthName = "\xE2\x80\xA4";
 };
 
 /// The fault in the order of a text's blocks, and its line.

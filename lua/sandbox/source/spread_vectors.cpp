@@ -112,14 +112,20 @@ private:
         std::vector<TextEdit> edits{
             {token(at).begin, token(at).text.size(), std::string(CountedSource::numbersName)}};
         for (std::size_t i = 0; i < stated->size(); ++i) {
-            if (vectors[i] && !spread((*stated)[i], edits)) {
+            if (vectors[i] && !spread((*stated)[i], i + 1 == stated->size(), edits)) {
                 return; // the arguments behind it would be taken for others
             }
         }
         edits_.insert(edits_.end(), edits.begin(), edits.end());
     }
 
-    bool spread(Expression const& whole, std::vector<TextEdit>& edits) const {
+    /// Whether an expression may have several values, or none: it ends with a call or with '...'.
+    [[nodiscard]] bool mayBeSeveral(Expression const& expression) const {
+        Token const& last = token(expression.end - 1);
+        return last.is("...") || last.is(")") || last.is("}") || last.kind == TokenKind::string;
+    }
+
+    bool spread(Expression const& whole, bool isLast, std::vector<TextEdit>& edits) const {
         Token const& name = token(whole.begin);
         Token const& bracket = token(whole.begin + 1);
         if (!name.is(maker) || !bracket.is("(") || name.line != bracket.line) {
@@ -130,8 +136,15 @@ private:
             return false;
         }
         Token const& comma = token(numbers->front().end);
+        bool const several = mayBeSeveral(numbers->back());
+        if (several && !isLast) {
+            return false; // its second value would be taken for the next argument
+        }
         edits.push_back({name.begin, bracket.end - name.begin, "("});
-        edits.push_back({comma.begin, 1, "),("});
+        edits.push_back({comma.begin, 1, several ? ")," : "),("});
+        if (several) { // all its values are handed on, so that vec2 is refused as it would be
+            edits.push_back({token(numbers->back().end).begin, 1, ""});
+        }
         return true;
     }
 

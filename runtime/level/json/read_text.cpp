@@ -34,6 +34,9 @@ std::string readText(std::filesystem::path const& path, std::size_t most) {
     if (std::filesystem::is_directory(path, error)) {
         refuseFile(path.string(), "is a folder", "a file");
     }
+    if (std::filesystem::exists(path, error) && !std::filesystem::is_regular_file(path, error)) {
+        refuseFile(path.string(), "is no ordinary file", "a file");
+    }
     std::uintmax_t const size = std::filesystem::file_size(path, error);
     if (error) {
         refuseFile(path.string(), fmt::format("cannot be read: {}", error.message()), "");

@@ -2,6 +2,7 @@
 
 #include "runtime/level/json/limits.hpp"
 #include "runtime/level/json/suggestion.hpp"
+#include "runtime/level/json/text_limits.hpp"
 #include "runtime/level/property/field_outline.hpp"
 
 #include <fmt/format.h>
@@ -87,7 +88,15 @@ public:
         });
     }
     void text(FieldInfo const& info, std::string& value) override {
-        take(info, value, [&](JsonNode const& node) { return node.text(); });
+        take(info, value, [&](JsonNode const& node) {
+            auto stated = node.text();
+            if (stated && stated->size() > trembler::limits::textInProperty) {
+                node.complain(fmt::format("has {} bytes", stated->size()),
+                              fmt::format("at most {}", trembler::limits::textInProperty));
+                stated.reset();
+            }
+            return stated;
+        });
     }
     void object(FieldInfo const& info, ObjectId& value) override {
         take(info, value, [&](JsonNode const& node) -> std::optional<ObjectId> {

@@ -1,6 +1,7 @@
 #include "runtime/level/write/property_schema.hpp"
 
 #include "runtime/level/json/schema_pieces.hpp"
+#include "runtime/level/json/text_limits.hpp"
 #include "runtime/level/property/field_outline.hpp"
 #include "runtime/level/property/property_reader.hpp"
 
@@ -53,7 +54,9 @@ public:
         addRange(item, limits(info));
         put(info, {{"type", "array"}, {"items", std::move(item)}, {"minItems", 2}, {"maxItems", 2}});
     }
-    void text(FieldInfo const& info, std::string&) override { put(info, json_schema::text()); }
+    void text(FieldInfo const& info, std::string&) override {
+        put(info, {{"type", "string"}, {"maxLength", trembler::limits::textInProperty}});
+    }
     void object(FieldInfo const& info, ObjectId&) override { put(info, json_schema::reference("name")); }
     void choice(FieldInfo const& info, ChoiceField field) override {
         if (choices == 0) {

@@ -90,7 +90,9 @@ TEST(Manifest, ComplainsWithFileAndLineAndASuggestion) {
     expect(with("each = { \"Mass\" },", ""), "the objects to which the script is applied are not stated");
     expect(with("each = { \"Mass\" },", "each = {},"), "'each' selects every object");
     expect(with("apply = function(object, params, out) end,", ""), "'apply' is missing");
-    expect(with("instructions = 50000", "instructions = 5e9"), "the limit 'instructions' is too large");
+    expect(with("instructions = 50000", "instructions = 5e9"),
+           "wind.lua:13:14: 'limits.instructions' cannot be 5000000000; expected a whole number from 0 to "
+           "200000");
     expect(with("function(object", "function(object, 3"), "wind.lua:14:28:");
     expect(with("default = 8", "default 8"), "wind.lua:8:23: '}' expected near '8'");
     expect("return interaction {\n\tname = \"a\" text = \"b\" }", "wind.lua:2:13: ");
@@ -104,6 +106,55 @@ TEST(Manifest, ComplainsWithFileAndLineAndASuggestion) {
     expect(with("\"Position\"", "\"graph_changes\""),
            "the property 'graph_changes' has no fields that a script could read");
     expect(with("each = { \"Mass\" }", "each = { \"contacts\" }"), "no object has 'contacts'");
+}
+
+TEST(Manifest, StatesLimitsInWholeNumbersBetweenTheLeastAndTheMost) {
+    struct Case {
+        std::string stated;
+        std::string message;
+    };
+    std::vector<Case> const cases{
+        {"calls = -5", "13:14: 'limits.calls' cannot be -5; expected a whole number from 0 to 1000"},
+        {"calls = 1.5", "'limits.calls' cannot be 1.5; expected a whole number from 0 to 1000"},
+        {"calls = 0/0", "'limits.calls' cannot be nan; expected"},
+        {"calls = -(0/0)", "'limits.calls' cannot be nan; expected"},
+        {"calls = true", "'limits.calls' cannot be true or false; expected"},
+        {"calls = {}", "'limits.calls' cannot be a table; expected"},
+        {"log_lines = \"5\"", "'limits.log_lines' cannot be a text; expected a whole number from 0 to 100"},
+        {"memory = -1", "'limits.memory' cannot be -1; expected a whole number from 524288 to 16777216"},
+        {"memory = 1000", "'limits.memory' cannot be 1000; expected a whole number from 524288 to 16777216"},
+    };
+    for (Case const& one : cases) {
+        std::string const said = problemsOf(with("instructions = 50000", one.stated));
+        EXPECT_NE(said.find(one.message), std::string::npos) << said;
+    }
+    EXPECT_EQ(problemsOf(with("instructions = 50000", "memory = 524288, calls = 0")), "");
+    EXPECT_NE(
+        problemsOf(with("limits = { instructions = 50000 }", "limits = 5")).find("'limits' is no table"),
+        std::string::npos);
+}
+
+TEST(Manifest, SpeaksOfChoicesAsChoices) {
+    std::string const twice = problemsOf(with("\"calm\", \"stormy\" }", "\"calm\", \"calm\" }"));
+    EXPECT_NE(twice.find("'calm' is repeated; expected every choice once"), std::string::npos) << twice;
+    std::string const numbers = problemsOf(with("choices = { \"calm\", \"stormy\" }", "choices = { 1 }"));
+    EXPECT_NE(
+        numbers.find("'choices' is no list of at most 50 texts; expected choices = { \"calm\", \"stormy\" }"),
+        std::string::npos)
+        << numbers;
+}
+
+TEST(Manifest, HasAtMost32FieldsInAStore) {
+    auto const fields = [](int count) {
+        std::string all;
+        for (int i = 0; i < count; ++i) {
+            all += "f" + std::to_string(i) + " = 0, ";
+        }
+        return with("seen = 0, last = vec2(0, 0)", all);
+    };
+    EXPECT_EQ(problemsOf(fields(32)), "");
+    EXPECT_NE(problemsOf(fields(33)).find("'object' in 'store' has 33 fields; expected at most 32"),
+              std::string::npos);
 }
 
 TEST(Manifest, NeverReadsCompiledCode) {

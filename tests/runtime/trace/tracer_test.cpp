@@ -137,7 +137,7 @@ TEST(Tracer, RefusesMoreThanItsMemory) {
     }
     EXPECT_EQ(why, "the account of this run takes more than 0 MB of memory in frame " +
                        std::to_string(frame) +
-                       "; expected at most that much: compute fewer frames, or turn tracing off");
+                       "; expected at most that much: compute fewer frames, or run without an account");
     std::size_t const events = tracer.events().size();
     EXPECT_GE(events, 2 * (frame - 1));
     EXPECT_LT(events * sizeof(Event), 100'000U);

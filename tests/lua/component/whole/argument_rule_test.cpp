@@ -182,6 +182,7 @@ bool accepts(ArgumentKind wanted, std::string_view kind) {
     case ArgumentKind::coroutine:
         return kind == "coroutine";
     case ArgumentKind::table:
+    case ArgumentKind::listed:
         return kind == "table";
     case ArgumentKind::looked:
         return kind == "table" || kind == "vector";

@@ -34,6 +34,12 @@ TEST(SpreadVectors, AreThoseThatAreMadeForACallOnly) {
               applyOf("__numbers.pushAt(o, (1),( 2), (3),( 4))"));
     EXPECT_EQ(spread(applyOf("out.push(o, vec2(1, -- one\n 2))")),
               applyOf("__numbers.push(o, (1),( -- one\n 2))"));
+    // A call may have several values, which vec2 would not take.
+    EXPECT_EQ(spread(applyOf("out.push(o, vec2(f(), 2))")), applyOf("__numbers.push(o, (f()),( 2))"));
+    EXPECT_EQ(spread(applyOf("out.push(o, vec2(1, f()))")), applyOf("__numbers.push(o, (1), f())"));
+    EXPECT_EQ(spread(applyOf("out.push(o, vec2(1, f'a'))")), applyOf("__numbers.push(o, (1), f'a')"));
+    EXPECT_EQ(spread(applyOf("out.pushAt(o, vec2(1, 2), vec2(3, f{}))")),
+              applyOf("__numbers.pushAt(o, (1),( 2), (3), f{})"));
     std::string const inside =
         spread(applyOf("local function f() call.push(o, vec2(1, 2)) end", "o, p, call"));
     EXPECT_NE(inside.find("__numbers.push(o, (1),( 2)) end"), std::string::npos) << inside;
@@ -43,10 +49,10 @@ TEST(SpreadVectors, AreNoOthers) {
     for (std::string const body :
          {"local v = vec2(1, 2) out.push(o, v)", "out.push(o, vec2(1, 2) * 2)", "out.push(o, -vec2(1, 2))",
           "out.push(o, vec2(1, 2):unit())", "out.push(o, vec2(1))", "out.push(o, vec2(1, 2, 3))",
-          "out.push(o, vec2(...))", "out.push(o, vec2\n(1, 2))", "out.push(o, (vec2(1, 2)))",
-          "out.push(vec2(1, 2), o)", "out.push(o, a, vec2(1, 2))", "out.turn(o, vec2(1, 2))",
-          "out.other(o, vec2(1, 2))", "out:push(o, vec2(1, 2))", "p.out.push(o, vec2(1, 2))",
-          "out.pushAt(o, v, vec2(1, 2))", "out.pushAt(o, vec2(1, 2), v)",
+          "out.push(o, vec2(...))", "out.pushAt(o, vec2(1, f()), vec2(3, 4))", "out.push(o, vec2\n(1, 2))",
+          "out.push(o, (vec2(1, 2)))", "out.push(vec2(1, 2), o)", "out.push(o, a, vec2(1, 2))",
+          "out.turn(o, vec2(1, 2))", "out.other(o, vec2(1, 2))", "out:push(o, vec2(1, 2))",
+          "p.out.push(o, vec2(1, 2))", "out.pushAt(o, v, vec2(1, 2))", "out.pushAt(o, vec2(1, 2), v)",
           "out.push(o, vec2((function() return 1, 2 end)(), 2))",
           // 'out' or 'vec2' may be something else.
           "out = p out.push(o, vec2(1, 2))", "local out = p out.push(o, vec2(1, 2))",
@@ -78,7 +84,10 @@ struct SpreadOutcome {
 };
 
 SpreadOutcome outcomeOf(std::string const& x, std::string const& y, std::string const& made, Trust trust) {
-    std::string const body = made.empty() ? "out.addForce(object, vec2(" + x + ", " + y + "))" : made;
+    std::string const body =
+        "local function one() return 1 end local function two() return 1, 2 end local function none() end "
+        "local function last() return 1, nil end " +
+        (made.empty() ? "out.addForce(object, vec2(" + x + ", " + y + "))" : made);
     ScriptedGame const game({"return interaction { name = 'Dynamics <- Test', calls = 'Dynamics', reads = { "
                              "'Position', 'Mass' }, each = { 'Mass' }, restless = true,\n"
                              "apply = function(object, params, out)\n" +
@@ -115,6 +124,12 @@ TEST(SpreadVectors, ChangeNoCall) {
                                                "object",
                                                "1e-310",
                                                "(function() return 1, 2 end)()",
+                                               "one()",
+                                               "two()",
+                                               "none()",
+                                               "last()",
+                                               "(two())",
+                                               "math.abs(-2)",
                                                "object.Mass.value / 3"};
     for (Trust const trust : {Trust::untrusted, Trust::trusted}) {
         for (std::string const& x : expressions) {

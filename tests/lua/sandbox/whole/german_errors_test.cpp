@@ -38,6 +38,8 @@ std::set<std::string> const& wrongChunks() {
         "local x = vec2(1, 2) - 1",
         "table.insert({}, 'x', 1)",
         "table.insert({}, 1, nil)",
+        "table.insert({}, nil)",
+        "table.remove({}, 5)",
         "for i = 1, 51 do coroutine.create(log) end",
         "next({ 1 }, 7)",
         "local function f() pcall(f) error('x') end local function g(n) if n > 45 then return end local "
@@ -81,6 +83,7 @@ std::set<std::string> const& wrongChunks() {
         "math.abs('x')",
         "math.abs()",
         "math.abs(1, 2)",
+        "local t = {} t.x = #true",
     };
     return all;
 }

@@ -1,3 +1,3 @@
 -- tries to write a property through the vector that it was given
--- expect: harmless
+-- expect: error
 object.Velocity.value.x = 1e9
