@@ -5,6 +5,7 @@
 #include "render/scene/facts/pick.hpp"
 #include "render/scene/facts/poses.hpp"
 #include "runtime/placement.hpp"
+#include "tests/game/ui/drawn_words.hpp"
 #include "tests/game/ui/edit/editor_kit.hpp"
 
 #include <algorithm>
@@ -180,6 +181,27 @@ TEST_F(Joining, WhatAWireCannotJoinSaysWhy) {
     EXPECT_NE(join().why(), "") << "they are connected already";
     designer.click(on("cell plus"));
     EXPECT_EQ(connections().size(), 1U);
+}
+
+TEST_F(Joining, AnEndThatIsRefusedLeavesTheWireInTheHand) {
+    designer.key(SDLK_w);
+    auto& toasts = designer.app().context().toasts;
+    auto const before = toasts.count();
+    designer.drag(on("cell plus"), on("plank"));
+    EXPECT_EQ(join().from().name, "cell plus") << "after a drag";
+    EXPECT_EQ(toasts.count(), before + 1) << "the designer is told once";
+    designer.click(on("plank"));
+    EXPECT_EQ(join().from().name, "cell plus") << "after a click";
+    designer.click(on("cell plus"));
+    EXPECT_EQ(join().from().name, "cell plus") << "after a click on the beginning";
+    designer.click(on("light left"));
+    EXPECT_EQ(connections(), Names{"cell plus to light left"});
+    EXPECT_FALSE(join().from().valid());
+    designer.click(on("cell plus"));
+    designer.click(on("plank"));
+    designer.key(SDLK_ESCAPE);
+    EXPECT_FALSE(join().from().valid());
+    EXPECT_EQ(designer.parts().tool, Tool::wire);
 }
 
 TEST_F(Joining, WhatCanBeJoinedLightsUp) {
