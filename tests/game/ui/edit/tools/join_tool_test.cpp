@@ -204,6 +204,27 @@ TEST_F(Joining, AnEndThatIsRefusedLeavesTheWireInTheHand) {
     EXPECT_EQ(designer.parts().tool, Tool::wire);
 }
 
+TEST_F(Joining, OnThePaperTheToolSaysHowItBegins) {
+    auto const says = [&](std::string const& words) {
+        designer.look("edit-join-begins");
+        std::vector<std::string> const lines = DrawnWords().lines();
+        return std::count_if(lines.begin(), lines.end(),
+                             [&](std::string const& line) { return line.find(words) != std::string::npos; });
+    };
+    Point const paper = designer.on({0, 3});
+    designer.moveTo(paper);
+    for (auto const& [key, words] :
+         {std::pair(SDLK_w, "the wire begins there"), std::pair(SDLK_j, "Drag from one object to another")}) {
+        EXPECT_EQ(says(words), 0) << words;
+        designer.key(key);
+        designer.moveTo(paper);
+        EXPECT_EQ(says(words), 1) << words;
+        designer.moveTo(on("cell plus"));
+        EXPECT_EQ(says(words), 0) << "over an object its name is said";
+        designer.moveTo(paper);
+    }
+}
+
 TEST_F(Joining, WhatCanBeJoinedLightsUp) {
     designer.key(SDLK_w);
     Store const& store = designer.parts().world.world()->store();
