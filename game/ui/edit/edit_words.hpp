@@ -279,6 +279,7 @@ inline char const* const& selectTwo =
 inline char const* const& jointBegins =
     editWord("Drag from one object to another, or click one to hold it to the world");
 inline char const* const& jointToWorld = editWord("Held to the world here");
+inline char const* const& jointThere = editWord("There is such a joint here already");
 inline char const* const& selectForGoal = editWord("Select the object that is to come there first.");
 inline char const* const& cannotTestText = editWord("This cannot be played yet: {}");
 [[nodiscard]] inline std::string cannotTest(std::string const& why) {

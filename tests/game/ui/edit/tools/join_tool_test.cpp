@@ -225,6 +225,27 @@ TEST_F(Joining, OnThePaperTheToolSaysHowItBegins) {
     }
 }
 
+TEST_F(Joining, AJointThatIsThereIsNotMadeAgain) {
+    designer.key(SDLK_j);
+    designer.doubleClick(on("beam"));
+    ASSERT_EQ(designer.count("joints"), 1U);
+    designer.moveTo(on("beam"));
+    designer.press();
+    designer.frame();
+    EXPECT_NE(join().why().find("already"), std::string::npos) << join().why();
+    designer.release();
+    EXPECT_EQ(designer.count("joints"), 1U);
+    designer.click(on("beam") + Point{15, 0});
+    EXPECT_EQ(designer.count("joints"), 2U) << "at another place of it";
+    designer.parts().jointForm = "weld";
+    designer.click(on("beam"));
+    EXPECT_EQ(designer.count("joints"), 3U) << "of another form";
+    designer.parts().jointForm = "rope";
+    designer.drag(on("plank"), on("cell plus"));
+    designer.drag(on("cell plus"), on("plank"));
+    EXPECT_EQ(designer.count("joints"), 4U) << "the same rope from its other end";
+}
+
 TEST_F(Joining, WhatCanBeJoinedLightsUp) {
     designer.key(SDLK_w);
     Store const& store = designer.parts().world.world()->store();
