@@ -1,7 +1,11 @@
 // The first level teaches by actions: with the mouse, with keys, with a gamepad.
 #include "game/ui/play/lesson/lesson.hpp"
 #include "runtime/level/read/read_level.hpp"
+#include "tests/game/ui/drawn_text.hpp"
+#include "tests/game/ui/drawn_words.hpp"
 #include "tests/game/ui/virtual_pad.hpp"
+
+#include <algorithm>
 
 namespace trembler::ui::test {
 namespace lesson_test {
@@ -66,6 +70,32 @@ TEST(FirstLesson, ByKeys) {
     EXPECT_EQ(shownIn(player), Kind::run);
     player.key(SDLK_SPACE);
     expectSolved(player);
+}
+
+TEST(FirstLesson, TheNoteHidesNoWordsOfACard) {
+    int over = 0;
+    for (render::Size const size : {render::Size{1280, 720}, render::Size{800, 600}}) {
+        Player player(size);
+        for (char const* const command : {"components", "hint"}) {
+            player.open(firstLevel);
+            player.frames(30);
+            player.play().commands().run(command);
+            player.frames(10);
+            Point const above = player.at(goalOf(player)) - Point{0, 45};
+            for (DrawnText const& one : drawnTexts()) {
+                for (Placed const& card : player.layout().cards()) {
+                    if (one.text == "Drag this here") {
+                        EXPECT_FALSE(one.rect.overlaps(card.rect) && card.name != "toolbox") << card.name;
+                    }
+                }
+            }
+            for (Placed const& card : player.layout().cards()) {
+                over += card.rect.contains(above) && card.name != "toolbox" ? 1 : 0;
+            }
+            player.look(std::string("lesson-beside-") + command + std::to_string(size.width));
+        }
+    }
+    EXPECT_GT(over, 0) << "else nothing is tested";
 }
 
 TEST(FirstLesson, ByGamepad) {
