@@ -176,6 +176,8 @@ LessonShown shownPlace(PlayParts const& parts, TeachingStep const& step) {
     shown.to = pixelsOf(parts.camera().toScreen({step.at.x, step.at.y}));
     bool const mouse = parts.lesson.device() == InputDevice::mouse;
     bool const carried = isCarried(parts, step.object);
+    std::optional<ImVec2> elsewhere;
+    bool selected = false; // and the keys move it, not the pointer
     if (!carried) {
         shown.ring = itemPlace(parts, "part " + step.object);
         if (shown.ring) {
@@ -184,7 +186,9 @@ LessonShown shownPlace(PlayParts const& parts, TeachingStep const& step) {
         for (PlacedPart const& part : parts.session.placed()) { // it lies elsewhere
             if (part.placement.part == step.object) {
                 shown.ring.reset();
-                shown.from = pixelsOf(parts.camera().toScreen({part.placement.at.x, part.placement.at.y}));
+                elsewhere = pixelsOf(parts.camera().toScreen({part.placement.at.x, part.placement.at.y}));
+                shown.from = elsewhere;
+                selected = parts.placing.selected() == part.number && !parts.keyPointer.active();
             }
         }
     }
@@ -192,6 +196,11 @@ LessonShown shownPlace(PlayParts const& parts, TeachingStep const& step) {
         shown.words = text("lesson.drag");
     } else if (carried) {
         shown.words = textWith("lesson.move_by_keys", arrowsFor(parts), keysFor(parts, "act"));
+    } else if (elsewhere && selected) {
+        shown.words = textWith("lesson.nudge_by_keys", arrowsFor(parts));
+    } else if (elsewhere) {
+        shown.to = elsewhere; // beside what is to be taken
+        shown.words = textWith("lesson.fetch_by_keys", arrowsFor(parts), keysFor(parts, "act"));
     } else {
         shown.words = textWith("lesson.take_by_key", keysFor(parts, "next-part"));
     }

@@ -72,6 +72,32 @@ TEST(FirstLesson, ByKeys) {
     expectSolved(player);
 }
 
+TEST(FirstLesson, ByKeysWhatLiesElsewhereIsFetched) {
+    Player player;
+    player.open(firstLevel);
+    Vec2 const elsewhere = goalOf(player) + Vec2{1, 0.5};
+    player.drag(player.item("part steel bar"), player.at(elsewhere));
+    ASSERT_EQ(player.session().placed().size(), 1U);
+    auto const says = [&](char const* words) {
+        std::vector<std::string> const lines = DrawnWords().lines();
+        return std::any_of(lines.begin(), lines.end(),
+                           [&](std::string const& line) { return line.find(words) != std::string::npos; });
+    };
+    auto const place = [&] { return player.session().placed()[0].placement.at; };
+    Vec2 const before = place();
+    player.key(SDLK_LEFT);
+    ASSERT_EQ(player.play().lesson().device(), InputDevice::keys);
+    player.look("lesson-keys-elsewhere-720");
+    EXPECT_FALSE(says("out of the toolbox")) << "none is left in it";
+    EXPECT_TRUE(says("move it here"));
+    EXPECT_LT(place().x, before.x) << "it is selected: the keys do as they are said to";
+    player.click(player.at(place() + Vec2{0, 0.7})); // selects nothing
+    player.key(SDLK_LEFT);
+    player.look("lesson-keys-fetch-720");
+    EXPECT_FALSE(says("out of the toolbox"));
+    EXPECT_TRUE(says("move the pointer to it"));
+}
+
 TEST(FirstLesson, TheNoteHidesNoWordsOfACard) {
     int over = 0;
     for (render::Size const size : {render::Size{1280, 720}, render::Size{800, 600}}) {
