@@ -41,7 +41,7 @@ struct ModArguments {
 int newMod(ModArguments const& arguments) {
     fs::path const folder = fs::path(arguments.in) / arguments.name;
     std::error_code error;
-    bool const there = fs::exists(fs::symlink_status(folder, error));
+    bool const there = fs::symlink_status(folder, error).type() != fs::file_type::not_found;
     try {
         lua::writeNewMod(folder, arguments.name);
         writeEditorFiles(folder);
