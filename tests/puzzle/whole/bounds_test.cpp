@@ -120,7 +120,8 @@ TEST_F(Bounds, OfAFileThatIsReadWhole) {
         EXPECT_EQ(said([&] { (void)readText(one.file, one.most); }), one.expected) << one.file;
     }
     for (fs::path const& endless : {folder / "pipe", fs::path("/dev/zero")}) {
-        EXPECT_NE(said([&] { (void)readText(endless, 1000); }).find("is no ordinary file"), std::string::npos);
+        EXPECT_NE(said([&] { (void)readText(endless, 1000); }).find("is no ordinary file"),
+                  std::string::npos);
     }
     EXPECT_EQ(said([&] { (void)JsonDocument::load(folder / "large"); }),
               "has 5000000000 bytes; expected at most 67108864");

@@ -200,6 +200,7 @@ TEST(Texts, WhateverIsRefusedIsSaidInEveryLanguage) {
         "params = { speed = { default = 8, min = 0, max = 60, unit = \"m/s\", text = \"...\" } }",
         "store = { object = { count = 0 }, script = { total = 0 } }",
         "store = { script = ... }",
+        "limits = { instructions = 60000 }",
         "\"version\": {}"};
     auto const messages = messagesOfTheProgram();
     EXPECT_GT(messages.size(), 500U);
