@@ -51,10 +51,20 @@ SoundFile::SoundFile(std::filesystem::path file, LoudspeakerOptions const& optio
 
 SoundFile::~SoundFile() = default;
 
+std::uint64_t SoundFile::mostFrames(int rate) {
+    constexpr std::uint64_t framesPerSecond = 60;
+    return mostPairs * framesPerSecond / static_cast<std::uint64_t>(rate);
+}
+
 void SoundFile::frame(World const& world, Listener const& listener) {
     loudspeaker_->frame(world, listener);
     std::span<float const> const block = output_->rendered();
     auto const pairs = static_cast<sf_count_t>(block.size() / 2);
+    pairs_ += block.size() / 2;
+    if (pairs_ > mostPairs) {
+        file_->failed(EFBIG);
+        file_->check();
+    }
     errno = 0;
     if (handle_ != nullptr && sf_writef_float(handle_->file, block.data(), pairs) != pairs) {
         file_->failed(errno != 0 ? errno : EIO);

@@ -4,6 +4,7 @@
 #include "audio/device/loudspeaker.hpp"
 #include "runtime/file/output_file.hpp"
 
+#include <cstdint>
 #include <memory>
 
 namespace trembler {
@@ -16,6 +17,11 @@ class OpenAlOutput;
 /// OpenAlOutput, whose limiter keeps louder sounds below it. Used by one thread at a time.
 class SoundFile {
 public:
+    /// Pairs of samples: the format has 32 bits for its lengths, and 4 bytes for each pair behind a header.
+    static constexpr std::uint64_t mostPairs = 0xFFFF'FFFFULL / 4 - 1024;
+    /// Frames of the world that fit at that rate, in pairs per second.
+    [[nodiscard]] static std::uint64_t mostFrames(int rate);
+
     /// Throws std::invalid_argument if the name does not end in .wav, OutputError if the file cannot be
     /// written, and std::runtime_error if this OpenAL cannot play into memory.
     SoundFile(std::filesystem::path file, LoudspeakerOptions const& options, Loudspeaker::Report report = {});
@@ -25,7 +31,8 @@ public:
 
     /// To be called before the first frame to be recorded.
     void enter(World const& world) { loudspeaker_->enter(world); }
-    /// To be called after every step of the world. Throws OutputError if writing fails.
+    /// To be called after every step of the world. Throws OutputError if writing fails, or if
+    /// the file would have more than `mostPairs` (EFBIG).
     void frame(World const& world, Listener const& listener);
     /// Completes the file and puts it in its place; without this call there is no file. Throws OutputError if
     /// not all of it could be written.
@@ -39,6 +46,7 @@ private:
     OpenAlOutput* output_ = nullptr; // owned by loudspeaker_
     std::unique_ptr<Loudspeaker> loudspeaker_;
     std::unique_ptr<Handle> handle_;
+    std::uint64_t pairs_ = 0; // written
 };
 
 } // namespace trembler

@@ -31,6 +31,7 @@ namespace trembler {
 namespace {
 
 constexpr std::uint64_t usualFrames = 600;
+constexpr std::uint64_t mostHashes = 1'000'000; // all are kept until they are printed
 
 WorldOptions optionsOf(RunArguments const& arguments, Registry const& registry, LevelFile const& level) {
     WorldOptions options;
@@ -137,6 +138,21 @@ void plotWith(RunOptions& run, insight::Probes& probes, std::vector<Subscription
     };
 }
 
+/// Refuses a run whose hashes or sound would have no room, before it begins.
+void checkLengths(RunArguments const& arguments, std::uint64_t frames) {
+    if (arguments.hashEvery != 0 && frames / arguments.hashEvery > mostHashes) {
+        throw std::invalid_argument(
+            fmt::format("--hash-every {}: prints {} hashes in {} frames; expected at most {}",
+                        arguments.hashEvery, frames / arguments.hashEvery, frames, mostHashes));
+    }
+    if (arguments.sound && frames > RunSound::mostFrames()) {
+        throw std::invalid_argument(
+            fmt::format("--sound {}: the run has {} frames; expected at most {}, as a .wav file has no room "
+                        "for more",
+                        *arguments.sound, frames, RunSound::mostFrames()));
+    }
+}
+
 /// Reports the causes of long frames: bodies in one place before the first frame, and every frame that took
 /// long.
 void tellOfSlowness(RunOptions& run, Session const& session, Progress& progress) {
@@ -204,6 +220,7 @@ int runLevel(RunArguments const& arguments) {
         }
     }
     run.hashEvery = arguments.hashEvery;
+    checkLengths(arguments, run.frames);
     run.trace = trace == nullptr ? nullptr : &trace->stream();
     Progress progress;
     run.progress = [&](std::uint64_t done) {

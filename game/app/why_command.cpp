@@ -13,6 +13,7 @@
 #include "puzzle/checks/checked_level.hpp"
 #include "puzzle/goals/words/goal_text.hpp"
 #include "puzzle/language/catalogue.hpp"
+#include "runtime/component/component.hpp"
 #include "runtime/file/visible_text.hpp"
 #include "runtime/level/json/limits.hpp"
 
@@ -53,6 +54,12 @@ void checkQuestion(WhyArguments const& arguments) {
         throw CLI::ValidationError(arguments.at ? "--at" : "--object", arguments.at
                                                                            ? "expected --object NAME as well"
                                                                            : "expected --at SECONDS as well");
+    }
+    if (arguments.at && arguments.frames &&
+        *arguments.at > static_cast<double>(*arguments.frames) * frameDuration) {
+        throw CLI::ValidationError("--at", fmt::format("expected at most {:g} s, the end of --frames {}",
+                                                       static_cast<double>(*arguments.frames) * frameDuration,
+                                                       *arguments.frames));
     }
 }
 

@@ -31,6 +31,22 @@ bool endsWithinALine(fs::path const& file) {
     return in.get() != '\n';
 }
 
+/// Like std::getline(), but of a line that is too long only one byte more than the limit.
+bool readLine(std::istream& in, std::string& line) {
+    line.clear();
+    std::streambuf& from = *in.rdbuf();
+    for (int next = from.sbumpc(); next != std::char_traits<char>::eof(); next = from.sbumpc()) {
+        if (next == '\n') {
+            return true;
+        }
+        line += static_cast<char>(next);
+        if (line.size() > Journal::longestLine) {
+            return true;
+        }
+    }
+    return !line.empty();
+}
+
 [[noreturn]] void refuseJournal(fs::path const& file, int error) {
     throw OutputError(fmt::format("{}: cannot be written: {}", file.string(),
                                   std::error_code(error, std::generic_category()).message()));
@@ -49,7 +65,9 @@ Journal::Journal(fs::path file, Team& team) : file_(ofMember(file, team.rank()))
             for (int rank = 1; fs::exists(ofMember(file, rank), error); ++rank) {
                 read(ofMember(file, rank));
             }
-            contents = nlohmann::json(known_).dump();
+            if (team.size() > 1) {
+                contents = nlohmann::json(known_).dump();
+            }
         } catch (std::exception const& error) {
             problem = error.what();
         }
@@ -59,8 +77,10 @@ Journal::Journal(fs::path file, Team& team) : file_(ofMember(file, team.rank()))
     if (!parsed["problem"].get<std::string>().empty()) {
         throw std::invalid_argument(parsed["problem"].get<std::string>());
     }
-    known_ =
-        nlohmann::json::parse(parsed["known"].get<std::string>()).get<std::map<std::string, std::string>>();
+    if (!team.leads()) {
+        known_ = nlohmann::json::parse(parsed["known"].get<std::string>())
+                     .get<std::map<std::string, std::string>>();
+    }
     descriptor_ = ::open(file_.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
     if (descriptor_ < 0) {
         refuseJournal(file_, errno);
@@ -83,12 +103,26 @@ void Journal::read(fs::path const& file) {
         // The end of a device or of a pipe may never come.
         throw std::invalid_argument(fmt::format("{}: is a device or a pipe; expected a file", file.string()));
     }
+    if (std::uintmax_t const size = fs::file_size(file, error); !error) {
+        bytes_ += size;
+    }
+    if (bytes_ > mostBytes) {
+        throw std::invalid_argument(
+            fmt::format("{}: has {} bytes, together with those of the other members of the team; expected at "
+                        "most {}",
+                        file.string(), bytes_, mostBytes));
+    }
     std::ifstream in(file, std::ios::binary);
     constexpr std::string_view begin = R"({"work":)";
     std::string line;
     std::size_t number = 0;
-    while (std::getline(in, line)) {
+    while (readLine(in, line)) {
         ++number;
+        if (line.size() > longestLine) {
+            throw std::invalid_argument(
+                fmt::format("{}, line {}: has more than {} bytes; expected at most {}", file.string(), number,
+                            longestLine, longestLine));
+        }
         nlohmann::json const entry = nlohmann::json::parse(line, nullptr, false);
         if (entry.is_discarded() && (line.starts_with(begin) || begin.starts_with(line))) {
             continue; // cut off
@@ -115,6 +149,9 @@ void Journal::add(std::string const& key, std::string const& result) {
     entry["result"] = result;
     std::string const line =
         entry.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+    if (line.size() > longestLine) {
+        return;
+    }
     std::lock_guard const lock(mutex_);
     std::size_t done = 0;
     while (done < line.size()) {

@@ -3,6 +3,8 @@
 
 #include "insight/spread/team.hpp"
 
+#include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <mutex>
@@ -17,8 +19,13 @@ namespace trembler::insight {
 /// append to one file; the leader reads all of them. Thread-safe.
 class Journal {
 public:
+    /// Bytes of a line; of all files together.
+    static constexpr std::size_t longestLine = std::size_t{1} << 20U;
+    static constexpr std::uintmax_t mostBytes = std::uintmax_t{512} << 20U;
+
     /// Reads the existing lines; all members of the team must do so at the same time. Throws OutputError if
-    /// the file cannot be written, std::invalid_argument if it holds anything but such lines.
+    /// the file cannot be written, std::invalid_argument if it holds anything but such lines, or more than
+    /// the limits allow.
     Journal(std::filesystem::path file, Team& team);
     ~Journal();
     Journal(Journal const&) = delete;
@@ -28,14 +35,15 @@ public:
     /// within one run of the program no work is done twice.
     [[nodiscard]] std::optional<std::string> find(std::string const& key) const;
     [[nodiscard]] std::size_t size() const { return known_.size(); }
-    /// Adds one. Is on its way to the disk when it returns: killing the program does not lose it. Throws
-    /// OutputError.
+    /// Adds one, unless its line would be too long to be read: that work is done again. Is on its way to the
+    /// disk when it returns: killing the program does not lose it. Throws OutputError.
     void add(std::string const& key, std::string const& result);
 
 private:
     void read(std::filesystem::path const& file);
 
     std::filesystem::path file_;
+    std::uintmax_t bytes_ = 0; // of the files that were read
     std::map<std::string, std::string> known_;
     std::mutex mutex_;
     int descriptor_ = -1;

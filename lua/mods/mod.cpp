@@ -84,6 +84,12 @@ Mod readMod(fs::path const& folder, Problems& problems) {
         reader.finish();
     }
     FolderFiles const scripts = filesIn(folder / "interactions", ".lua", mostInteractions);
+    if (scripts.error && scripts.error != std::errc::no_such_file_or_directory) {
+        problems.add({.file = (folder / "interactions").string(),
+                      .path = "",
+                      .message = fmt::format("cannot be read: {}", scripts.error.message()),
+                      .expected = ""});
+    }
     if (scripts.leftOut > 0) {
         problems.add({.file = (folder / "interactions").string(),
                       .path = "",

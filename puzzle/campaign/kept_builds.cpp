@@ -163,7 +163,8 @@ int KeptBuilds::restore(std::string const& levelId, Session& session, AbsentPiec
                 damaged_.push_back(std::move(*found.damaged));
             }
             build = found.text ? buildIn(*found.text) : std::nullopt;
-        } catch (InputError const&) { // it cannot be read, and so it will not be replaced
+        } catch (InputError const& error) { // it cannot be read, and so it will not be replaced
+            notRead_.push_back(error);
         }
     }
     if (!build) {

@@ -3,6 +3,7 @@
 
 #include "puzzle/session/session.hpp"
 #include "runtime/file/kept_file.hpp"
+#include "runtime/level/json/diagnostic.hpp"
 
 #include <filesystem>
 #include <map>
@@ -54,6 +55,8 @@ public:
     void finish();
     /// The damaged files that restore() has found since the last call.
     [[nodiscard]] std::vector<DamagedFile> takeDamaged() { return std::exchange(damaged_, {}); }
+    /// The same of files that could not be read.
+    [[nodiscard]] std::vector<InputError> takeNotRead() { return std::exchange(notRead_, {}); }
 
 private:
     void write(std::string const& levelId, std::string const& build) const;
@@ -62,6 +65,7 @@ private:
     std::map<std::string, std::string> waiting_; // builds by level, which could not be written
     std::optional<OutputError> unwritten_;
     std::vector<DamagedFile> damaged_;
+    std::vector<InputError> notRead_;
     double sinceTry_ = 0; // s
 };
 

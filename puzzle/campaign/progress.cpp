@@ -1,5 +1,7 @@
 #include "puzzle/campaign/progress.hpp"
 
+#include "runtime/file/path_text.hpp"
+
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -78,7 +80,7 @@ Json CampaignProgress::written() const {
         for (SolutionKind const& kind : level.kinds) {
             kinds.push_back(Json{{"parts", kind.parts}, {"actions", kind.actions}, {"causes", kind.causes}});
         }
-        all[id] = Json{{"kinds", std::move(kinds)}};
+        all[pathAsText(id)] = Json{{"kinds", std::move(kinds)}};
     }
     return all;
 }
@@ -87,10 +89,11 @@ void CampaignProgress::read(Json const& stated) {
     if (!stated.is_object()) {
         return;
     }
-    for (auto const& [id, level] : stated.items()) {
+    for (auto const& [text, level] : stated.items()) {
         if (!level.is_object()) {
             continue;
         }
+        std::string const id = pathFromText(text);
         markSolved(id);
         auto const kinds = level.find("kinds");
         if (kinds == level.end() || !kinds->is_array()) {

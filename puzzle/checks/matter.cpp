@@ -6,6 +6,7 @@
 #include "physics/look_form.hpp"
 #include "physics/material.hpp"
 #include "puzzle/checks/level_checks.hpp"
+#include "runtime/level/build/placed_pieces.hpp"
 #include "runtime/level/json/add_problem.hpp"
 
 #include <fmt/format.h>
@@ -83,12 +84,13 @@ void complainAboutMatter(PartLibrary const& parts, LevelFile const& level, Built
         if (part == nullptr) {
             continue;
         }
-        if (auto const mismatch = part->composite() ? std::nullopt : mismatchOf(part->properties)) {
-            complain(entry.path, entry.part, *mismatch);
-        }
-        for (LevelObject const& piece : part->objects) {
+        Placement placement;
+        placement.part = entry.part;
+        for (PlacedPiece const& piece : placedPieces(parts, placement)) { // with those of parts inside it
             if (auto const mismatch = mismatchOf(piece.properties)) {
-                complain(entry.path, fmt::format("{}' of '{}", piece.name, entry.part), *mismatch);
+                complain(entry.path,
+                         part->composite() ? fmt::format("{}' of '{}", piece.name, entry.part) : entry.part,
+                         *mismatch);
             }
         }
     }

@@ -62,13 +62,15 @@ GameData::GameData(std::vector<lua::Mod> loaded)
     scripts = lua::registerMods(registry, mods, scriptLog, problems);
     problems.throwIfAny();
     parts = loadParts(registry, home / "assets" / "parts");
+    PartLimits most; // of all mods together: each of them may state the most
     for (lua::Mod const& mod : mods) {
         std::error_code error;
         if (!fs::is_directory(mod.partFolder(), error)) {
             continue;
         }
-        PartLibrary const library = loadParts(registry, mod.partFolder());
+        PartLibrary const library = loadParts(registry, mod.partFolder(), most);
         for (PartDefinition const* part : library.all()) {
+            most.before += part->document == nullptr ? 0 : part->document->text().size();
             parts.add(*part);
         }
     }

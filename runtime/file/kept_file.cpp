@@ -25,28 +25,37 @@ fs::file_type kindOf(fs::path const& path) {
     return fs::status(path, unknown).type();
 }
 
-/// Accepts what JsonDocument accepts of nesting: what is deeper cannot be copied or written without deep
-/// recursion.
+/// Whether opening or writing something of that kind may wait for another program, or never end.
+bool isDeviceOrPipe(fs::file_type kind) {
+    return kind == fs::file_type::fifo || kind == fs::file_type::character || kind == fs::file_type::block ||
+           kind == fs::file_type::socket;
+}
+
+/// Accepts what JsonDocument accepts of nesting and values: what is deeper cannot be copied or written
+/// without deep recursion, and many values take many times the memory of their text.
 class ShallowJson final : public nlohmann::json::json_sax_t {
 public:
-    bool null() override { return true; }
-    bool boolean(bool) override { return true; }
-    bool number_integer(number_integer_t) override { return true; }
-    bool number_unsigned(number_unsigned_t) override { return true; }
-    bool number_float(number_float_t, string_t const&) override { return true; }
-    bool string(string_t&) override { return true; }
-    bool binary(binary_t&) override { return true; }
-    bool start_object(std::size_t) override { return ++depth_ <= limits::depth; }
+    bool null() override { return count(); }
+    bool boolean(bool) override { return count(); }
+    bool number_integer(number_integer_t) override { return count(); }
+    bool number_unsigned(number_unsigned_t) override { return count(); }
+    bool number_float(number_float_t, string_t const&) override { return count(); }
+    bool string(string_t&) override { return count(); }
+    bool binary(binary_t&) override { return count(); }
+    bool start_object(std::size_t) override { return ++depth_ <= limits::depth && count(); }
     bool key(string_t&) override { return true; }
     bool end_object() override { return --depth_, true; }
-    bool start_array(std::size_t) override { return ++depth_ <= limits::depth; }
+    bool start_array(std::size_t) override { return ++depth_ <= limits::depth && count(); }
     bool end_array() override { return --depth_, true; }
     bool parse_error(std::size_t, std::string const&, nlohmann::json::exception const&) override {
         return false;
     }
 
 private:
+    bool count() { return ++values_ <= limits::values; }
+
     std::size_t depth_ = 0;
+    std::size_t values_ = 0;
 };
 
 } // namespace
@@ -182,12 +191,15 @@ KeptText KeptFile::change(std::function<std::optional<std::string>(KeptText cons
         } catch (InputError const& error) { // it must not be replaced by something that was made without it
             throw OutputError(error.diagnostics().front().print());
         }
-    } // else a pipe, a device, or a folder, for which writing reports the error
+    } else if (isDeviceOrPipe(kind)) {
+        throw OutputError(fmt::format("{}: is a device or a pipe; expected a file", file_.string()), file_,
+                          EINVAL);
+    } // else a folder, for which writing reports the error
     std::optional<std::string> const wanted = text(found);
     if (!wanted || (found.inPlace() && *wanted == *found.text)) {
         return found;
     }
-    if (wanted->size() > most_) { // it could never be read
+    if (wanted->size() > most_ || !whole_(*wanted)) { // it could never be read
         throw OutputError(file_, EFBIG);
     }
     if (found.damaged && !found.damaged->gone) {

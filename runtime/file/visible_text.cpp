@@ -102,6 +102,14 @@ std::string visibleLines(std::string_view text) {
     return replaced(text, true);
 }
 
+std::size_t characterLength(std::string_view text) {
+    if (text.empty()) {
+        return 0;
+    }
+    Character const first = characterAt(text, 0);
+    return first.code ? first.length : 0;
+}
+
 std::size_t unfinishedCharacter(std::string_view text) {
     for (std::size_t back = 1; back <= 3 && back <= text.size(); ++back) {
         auto const lead = static_cast<unsigned char>(text[text.size() - back]);

@@ -20,6 +20,9 @@ namespace trembler {
 /// How many bytes at the end of a text may be the beginning of an incomplete character: 0 to 3.
 [[nodiscard]] std::size_t unfinishedCharacter(std::string_view text);
 
+/// The bytes of the UTF-8 character with which a text begins: 1 to 4; 0 if it begins with none.
+[[nodiscard]] std::size_t characterLength(std::string_view text);
+
 /// A printed JSON document in which these characters are replaced by \u escapes, so that its meaning is
 /// unchanged. Line feeds and tabs outside strings stay. Expects valid UTF-8.
 [[nodiscard]] std::string escapedJson(std::string_view printed);

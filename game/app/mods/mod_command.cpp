@@ -7,9 +7,13 @@
 #include "lua/component/never_applied.hpp"
 #include "lua/mods/lint.hpp"
 #include "lua/mods/mod_name.hpp"
+#include "puzzle/campaign/chapter.hpp"
 #include "puzzle/session/session.hpp"
+#include "runtime/file/folder_files.hpp"
+#include "runtime/file/lower_case.hpp"
 #include "runtime/file/visible_text.hpp"
 #include "runtime/level/json/suggestion.hpp"
+#include "runtime/level/read/folder_limits.hpp"
 #include "runtime/level/read/read_level.hpp"
 #include "runtime/notation/boxes.hpp"
 
@@ -36,22 +40,76 @@ struct ModArguments {
 
 int newMod(ModArguments const& arguments) {
     fs::path const folder = fs::path(arguments.in) / arguments.name;
-    lua::writeNewMod(folder, arguments.name);
-    writeEditorFiles(folder);
+    std::error_code error;
+    bool const there = fs::symlink_status(folder, error).type() != fs::file_type::not_found;
+    try {
+        lua::writeNewMod(folder, arguments.name);
+        writeEditorFiles(folder);
+    } catch (...) {
+        if (!there) { // half a mod would be in the way of the next attempt
+            fs::remove_all(folder, error);
+        }
+        throw;
+    }
     std::cout << visible(folder.string()) << ": made. Next: trembler mod check " << visible(folder.string())
               << ", trembler run " << visible((folder / "levels/1-push.json").string()) << "\n";
     return exitSolved;
 }
 
-std::vector<fs::path> levelsOf(fs::path const& folder) {
-    std::vector<fs::path> found;
+/// The level files directly in a folder, which need not exist. Adds a problem if it cannot be read.
+std::vector<fs::path> levelsOf(fs::path const& folder, Problems& problems) {
+    FolderFiles found = filesIn(folder, ".json", limits::levelFiles);
+    if (found.error && found.error != std::errc::no_such_file_or_directory) {
+        problems.add({.file = folder.string(),
+                      .path = "",
+                      .message = fmt::format("cannot be read: {}", found.error.message()),
+                      .expected = ""});
+    }
+    return std::move(found.files);
+}
+
+/// What nothing looks at although its name says that something should.
+struct Overlooked {
+    std::vector<fs::path> scripts; ///< outside of interactions/, or with another ending
+    std::vector<fs::path> levels;  ///< below levels/ and tests/, but not directly in them, or the same
+};
+Overlooked overlookedIn(lua::Mod const& mod, Problems& problems) {
+    Overlooked found;
     std::error_code error;
-    for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
-        if (at->path().extension() == ".json") {
-            found.push_back(at->path());
+    for (fs::recursive_directory_iterator at(mod.folder, error), end; !error && at != end;
+         at.increment(error)) {
+        fs::path const& path = at->path();
+        std::error_code none;
+        if (at->is_directory(none)) {
+            // The editor's files that `mod new` writes, and hidden ones such as those of git.
+            if (path == mod.folder / "annotations" || path.filename().string().starts_with(".") ||
+                fs::exists(path / "mod.json", none)) {
+                at.disable_recursion_pending();
+            }
+            continue;
+        }
+        std::string const ending = inLowerCase(path.extension().string());
+        bool const asUsual = ending == path.extension();
+        fs::path const folder = path.parent_path();
+        if (ending == ".lua" && !(asUsual && folder == mod.folder / "interactions")) {
+            found.scripts.push_back(path);
+        }
+        for (fs::path const& levels : {mod.levelFolder(), mod.testFolder()}) {
+            fs::path const below = path.lexically_relative(levels);
+            bool const inside = !below.empty() && *below.begin() != "..";
+            if (ending == ".json" && inside && !(asUsual && folder == levels) && !isNotALevel(path)) {
+                found.levels.push_back(path);
+            }
         }
     }
-    std::sort(found.begin(), found.end());
+    if (error) {
+        problems.add({.file = mod.folder.string(),
+                      .path = "",
+                      .message = fmt::format("not all of its folders can be read: {}", error.message()),
+                      .expected = ""});
+    }
+    std::sort(found.scripts.begin(), found.scripts.end());
+    std::sort(found.levels.begin(), found.levels.end());
     return found;
 }
 
@@ -85,7 +143,7 @@ std::string counted(std::size_t count, std::string_view noun) {
 }
 
 /// Prints probable mistakes as warnings; returns their number.
-std::size_t printLint(lua::Mod const& mod, std::size_t levels) {
+std::size_t printLint(lua::Mod const& mod, std::size_t levels, Overlooked const& overlooked) {
     std::size_t count = 0;
     auto const warn = [&](Diagnostic const& diagnostic) {
         std::cout << visible("warning: " + diagnostic.print()) << "\n";
@@ -95,6 +153,18 @@ std::size_t printLint(lua::Mod const& mod, std::size_t levels) {
         for (Diagnostic const& diagnostic : lua::lint(manifest)) {
             warn(diagnostic);
         }
+    }
+    for (fs::path const& script : overlooked.scripts) {
+        warn({.file = script.string(),
+              .path = "",
+              .message = "is no interaction of the mod",
+              .expected = "a file directly in interactions/ whose name ends in .lua"});
+    }
+    for (fs::path const& level : overlooked.levels) {
+        warn({.file = level.string(),
+              .path = "",
+              .message = "is not checked",
+              .expected = "a file directly in levels/ or tests/ whose name ends in .json"});
     }
     if (levels == 0) {
         warn({.file = mod.folder.string(),
@@ -202,11 +272,13 @@ int checkMod(ModArguments const& arguments) {
                                   [&](lua::Mod const& one) { return one.name == name; });
     std::vector<fs::path> levels;
     for (fs::path const& part : {mod->levelFolder(), mod->testFolder()}) {
-        std::vector<fs::path> const found = levelsOf(part);
+        std::vector<fs::path> const found = levelsOf(part, problems);
         levels.insert(levels.end(), found.begin(), found.end());
     }
+    Overlooked const overlooked = overlookedIn(*mod, problems);
+    problems.throwIfAny();
     printTargets(gameData, *mod);
-    std::size_t warnings = printLint(*mod, levels.size());
+    std::size_t warnings = printLint(*mod, levels.size(), overlooked);
     bool good = true;
     for (fs::path const& level : levels) {
         std::vector<std::string> const failures = verifyWithScripts(gameData, level);

@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <iostream>
 #include <memory>
+#include <utility>
 
 namespace trembler {
 namespace {
@@ -59,6 +60,25 @@ insight::ReportOptions optionsOf(ReportArguments const& arguments, bool onlyTabl
     options.chains = !onlyTables;
     options.effects = !onlyTables;
     return options;
+}
+
+/// Options of runs that are not made.
+void checkDisplacements(ReportArguments const& arguments, bool seedStated) {
+    if (arguments.runs == 0) {
+        for (auto const& [name, stated] :
+             {std::pair{"--jitter-cm", arguments.jitterCm.has_value()},
+              std::pair{"--jitter-degrees", arguments.jitterDegrees.has_value()},
+              std::pair{"--jitter-seconds", arguments.jitterSeconds.has_value()}}) {
+            if (stated) {
+                throw CLI::ValidationError(name, "expected --runs above 0 as well, whose parts and deeds it "
+                                                 "displaces");
+            }
+        }
+    }
+    if (seedStated && arguments.runs == 0 && arguments.drops == 0 && arguments.search == 0) {
+        throw CLI::ValidationError("--seed", "expected --runs, --drops or --search above 0 as well, which "
+                                             "displace or search at random");
+    }
 }
 
 int reportLevels(ReportArguments const& arguments) {
@@ -181,6 +201,7 @@ void addReportCommand(CLI::App& program, Work& work) {
     command->footer(outputConvention);
     command->callback([command, arguments, &work] {
         takeBack(*command, "LEVEL", arguments->paths, "--json", arguments->json);
+        checkDisplacements(*arguments, command->count("--seed") > 0);
         work = [arguments] { return reportLevels(*arguments); };
     });
 }

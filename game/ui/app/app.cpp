@@ -209,6 +209,13 @@ void GameApp::keepOwned(double seconds) {
     for (DamagedFile const& one : damaged) {
         context_.toasts.add(inWords(one), render::ToastKind::Trouble, 12);
     }
+    std::vector<InputError> notRead = context_.builds.takeNotRead();
+    for (InputError& one : context_.solutions.takeNotRead()) {
+        notRead.push_back(std::move(one));
+    }
+    for (InputError const& one : notRead) {
+        context_.toasts.add(notReadable(one), render::ToastKind::Trouble, 12);
+    }
 }
 
 void GameApp::takeKinds() {

@@ -47,7 +47,7 @@ EditParts::EditParts(UiContext& uiContext, EditOptions editOptions)
     autosave = std::make_unique<edit::Autosave>(options.recovery);
     names = context.profile.settings().names;
     read();
-    view.setSubject(extent());
+    setViewSubject();
 }
 
 bool EditParts::run(std::function<edit::Command(edit::Json const&)> const& make,
@@ -95,7 +95,7 @@ void EditParts::use(edit::LevelDocument next, std::shared_ptr<GameData const> ne
     readRevision_.reset();
     read();
     problems.refresh(document);
-    view.setSubject(extent());
+    setViewSubject();
     view.fit();
     if (document.readOnly()) {
         dialogs.showReadOnly(hasLastGood(document.path()));
@@ -203,7 +203,7 @@ void EditParts::read() {
             selection.remove(name);
         }
     }
-    view.setSubject(extent());
+    setViewSubject();
     readTook_ = static_cast<double>(std::clock() - begun) / CLOCKS_PER_SEC;
 }
 
@@ -234,6 +234,13 @@ void EditParts::follow(double seconds, bool dragging) {
     }
     autosave->tick(document, seconds);
     context.pending.look(Owned::unsavedLevel, autosave->error());
+}
+
+void EditParts::setViewSubject() {
+    render::Extent const all = extent();
+    view.setSubject(all);
+    // A window around it that shows all of it: there new objects can be drawn, and the level is found again.
+    view.setLimits(all.widened(2 * std::max(all.half().x, all.half().y)));
 }
 
 render::Extent EditParts::extent() const {

@@ -184,6 +184,8 @@ struct EditParts {
     /// To be called once per picture: follows the document's changes and keeps unsaved work.
     /// `dragging`: the next picture is likely to bring another change, so now only the world is moved.
     void follow(double seconds, bool dragging = false);
+    /// The view shows all of the level when it is to show everything, and does not leave it far behind.
+    void setViewSubject();
     /// The smallest rectangle around the level, m.
     [[nodiscard]] render::Extent extent() const;
     /// The middle of the view, on the grid, m.

@@ -64,6 +64,9 @@ EditScreen::EditScreen(UiContext& context, std::filesystem::path const& file, Ed
         for (DamagedFile const& one : troubles.damaged) {
             context.toasts.add(inWords(one), ToastKind::Trouble, 12);
         }
+        for (InputError const& one : troubles.notRead) {
+            context.toasts.add(notReadable(one), ToastKind::Trouble, 12);
+        }
         if (troubles.leftOut > 0) {
             context.toasts.add(
                 textWith("kept.recoveries_left_out", troubles.leftOut, shownPath(parts_.options.recovery)),

@@ -276,7 +276,10 @@ inline char const* const& recordedSolved = editWord("Recorded: a solution that s
 inline char const* const& recordedUnsolved = editWord("Recorded: a run that does not solve the level");
 inline char const* const& selectTwo =
     editWord("Select the two objects first, or drag from one to the other.");
+inline char const* const& jointBegins =
+    editWord("Drag from one object to another, or click one to hold it to the world");
 inline char const* const& jointToWorld = editWord("Held to the world here");
+inline char const* const& jointThere = editWord("There is such a joint here already");
 inline char const* const& selectForGoal = editWord("Select the object that is to come there first.");
 inline char const* const& cannotTestText = editWord("This cannot be played yet: {}");
 [[nodiscard]] inline std::string cannotTest(std::string const& why) {

@@ -66,11 +66,20 @@ void WireTool::finish() {
             reset();
         }
     } else {
-        toasts_.add(translated(why_), render::ToastKind::Trouble, reasonTime);
-        from_ = {};
+        toasts_.add(translated(why_), render::ToastKind::Trouble, reasonTime); // and can end elsewhere
     }
     to_ = {};
     why_.clear();
+}
+
+bool WireTool::conducts(ObjectId object) const {
+    return session_.world().find<Conductor>(object) != nullptr;
+}
+
+std::string WireTool::whyNotTo(ObjectId object) const {
+    // In the words in which it is refused as a beginning.
+    return conducts(object) ? session_.checkWire(from(), object).why
+                            : words::conductsNot(session_.world().store().nameOf(object));
 }
 
 bool WireTool::update(Pointer const& pointer, ObjectId hovered) {
@@ -93,33 +102,35 @@ bool WireTool::update(Pointer const& pointer, ObjectId hovered) {
     why_.clear();
     to_ = {};
     if (!begin.valid()) {
-        bool const conducts = hovered.valid() && session_.world().find<Conductor>(hovered) != nullptr;
-        if (hovered.valid() && !conducts) {
+        bool const begins = hovered.valid() && conducts(hovered);
+        if (hovered.valid() && !begins) {
             why_ = words::conductsNot(session_.world().store().nameOf(hovered));
         }
         if (!pointer.pressed || pointer.overCard) {
             return !pointer.overCard;
         }
-        if (conducts) {
+        if (begins) {
             from_ = session_.lasting(hovered);
             pressedAt_ = pointer.screen;
+            dragging_ = !pointer.released;
         } else if (!why_.empty()) {
             toasts_.add(translated(why_), render::ToastKind::Trouble, reasonTime);
         }
         return hovered.valid(); // the paper can be dragged
     }
     if (hovered.valid() && hovered != begin) {
-        Verdict const verdict = session_.checkWire(begin, hovered);
         to_ = hovered;
-        why_ = verdict.why;
+        why_ = whyNotTo(hovered);
     }
-    bool const dragged = pointer.released && pointer.strayed(pressedAt_) > dragThreshold;
+    // Only the release of the press that began the wire: one click gives one answer.
+    bool const letGo = pointer.released && std::exchange(dragging_, false);
+    bool const dragged = letGo && pointer.strayed(pressedAt_) > dragThreshold;
     bool const clicked = pointer.pressed && !pointer.overCard;
     if (dragged || clicked) {
         if (to_.valid()) {
             finish();
-        } else {
-            from_ = {}; // onto the paper, or the beginning again: nothing is laid
+        } else if (!hovered.valid()) {
+            from_ = {}; // onto the paper: nothing is laid
         }
     }
     return true;

@@ -22,7 +22,8 @@ public:
     bool cancel();
     void reset();
     /// Handles one picture's mouse input; `hovered` is the object under the mouse. A wire is dragged from
-    /// object to object, or both are clicked. True if the mouse belongs to the tool.
+    /// object to object, or both are clicked; an end that is refused leaves it in the hand. True if the mouse
+    /// belongs to the tool.
     bool update(Pointer const& pointer, ObjectId hovered);
 
     [[nodiscard]] bool laying() const { return laying_; }
@@ -39,6 +40,9 @@ public:
 private:
     void cut(Pointer const& pointer);
     void finish();
+    [[nodiscard]] bool conducts(ObjectId object) const;
+    /// Why the wire in the hand cannot end there; empty if it can.
+    [[nodiscard]] std::string whyNotTo(ObjectId object) const;
 
     Session& session_;
     render::Toasts& toasts_;
@@ -47,6 +51,7 @@ private:
     LastingObject from_; // default: none
     ObjectId to_;
     render::Point pressedAt_; // pixels
+    bool dragging_ = false;   // the press that began the wire lasts
     std::string why_;
     render::Link wire_;
 };

@@ -6,6 +6,7 @@
 #include "runtime/file/folder_files.hpp"
 #include "runtime/file/folders.hpp"
 #include "runtime/file/output_file.hpp"
+#include "runtime/file/path_text.hpp"
 
 #include <fmt/format.h>
 
@@ -45,7 +46,8 @@ int lockedFile(fs::path const& path, int flags) {
 
 /// Whether a living program holds the lock of a recovery file.
 bool isHeld(fs::path const& file) {
-    int const descriptor = fileCalls().open(lockFileOf(file).c_str(), O_RDONLY | O_CLOEXEC, 0);
+    // Opening a pipe of that name must not wait for its writer.
+    int const descriptor = fileCalls().open(lockFileOf(file).c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK, 0);
     if (descriptor < 0) {
         return false;
     }
@@ -79,7 +81,10 @@ std::optional<Recovery> readRecovery(fs::path const& file, RecoveryTroubles* tro
             troubles->damaged.push_back(std::move(*found.damaged));
         }
         stored = std::move(found.text);
-    } catch (InputError const&) { // it cannot be read now
+    } catch (InputError const& error) { // it cannot be read now
+        if (troubles != nullptr) {
+            troubles->notRead.push_back(error);
+        }
     }
     Json const all = stored ? Json::parse(*stored, nullptr, false) : Json();
     if (!all.is_object() || all.value("recovery", Json()) != recoveryVersion || !all.contains("text") ||
@@ -88,12 +93,14 @@ std::optional<Recovery> readRecovery(fs::path const& file, RecoveryTroubles* tro
     }
     Recovery found;
     found.file = file;
-    found.level = textOf(all, "level");
+    found.level = pathFromText(textOf(all, "level"));
     found.text = all["text"].get<std::string>();
     if (all.contains("on_disk") && all["on_disk"].is_string()) {
         found.onDisk = all["on_disk"].get<std::string>();
     }
-    found.title = textOf(Json::parse(found.text, nullptr, false), "title");
+    if (isWholeJson(found.text)) {
+        found.title = textOf(Json::parse(found.text, nullptr, false), "title");
+    }
     found.changedSince = textInFile(found.level) != found.onDisk;
     return found;
 }
@@ -167,7 +174,7 @@ void Autosave::write(LevelDocument const& document) {
     std::error_code ignored;
     fs::path const level =
         document.path().empty() ? fs::path() : fs::absolute(document.path(), ignored).lexically_normal();
-    Json all{{"recovery", recoveryVersion}, {"level", level.string()}, {"text", document.text()}};
+    Json all{{"recovery", recoveryVersion}, {"level", pathAsText(level.string())}, {"text", document.text()}};
     if (document.onDisk()) {
         all["on_disk"] = *document.onDisk();
     }

@@ -3,6 +3,7 @@
 
 #include "puzzle/edit/document/level_document.hpp"
 #include "runtime/file/kept_file.hpp"
+#include "runtime/level/json/diagnostic.hpp"
 
 #include <cstddef>
 #include <filesystem>
@@ -80,7 +81,8 @@ struct RecoveryLimits {
 /// What was found beside recoveries.
 struct RecoveryTroubles {
     std::vector<DamagedFile> damaged;
-    std::size_t leftOut = 0; ///< files beyond the limits, which are found when others are gone
+    std::vector<InputError> notRead; ///< for each file that cannot be read why not
+    std::size_t leftOut = 0;         ///< files beyond the limits, which are found when others are gone
 };
 
 /// The recoveries of a folder that no living program holds, the newest first. Files that are no recoveries

@@ -100,15 +100,18 @@ std::vector<std::filesystem::path> partFiles(std::filesystem::path const& folder
         complain(fmt::format("has {} files of parts", found.files.size() + found.leftOut),
                  fmt::format("at most {}", most.files));
     }
-    std::uintmax_t bytes = 0;
+    std::uintmax_t bytes = most.before;
     for (std::filesystem::path const& file : found.files) {
         std::error_code ignored; // reading the file reports it
         std::uintmax_t const size = std::filesystem::file_size(file, ignored);
         bytes += ignored ? 0 : size;
     }
     if (bytes > most.bytes) {
-        complain(fmt::format("its files of parts have {} bytes together", bytes),
-                 fmt::format("at most {}", most.bytes));
+        complain(
+            most.before == 0
+                ? fmt::format("its files of parts have {} bytes together", bytes)
+                : fmt::format("its files of parts and those of the other mods have {} bytes together", bytes),
+            fmt::format("at most {}", most.bytes));
         return {};
     }
     return found.files;

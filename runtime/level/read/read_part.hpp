@@ -21,6 +21,7 @@ namespace trembler {
 struct PartLimits {
     std::size_t files = limits::partFiles;
     std::uintmax_t bytes = limits::partBytes; ///< of all files together
+    std::uintmax_t before = 0; ///< bytes of other folders of the same level, which count as well
 };
 /// The *.json files of a folder. Adds a fault if it cannot be read or holds more than it may; of too many
 /// files the first by name are returned, of too many bytes none.

@@ -98,6 +98,12 @@ TEST_F(SoundFiles, ReportErrors) {
     }
 }
 
+TEST_F(SoundFiles, KnowForWhichRunTheyHaveRoom) {
+    std::uint64_t const most = SoundFile::mostFrames(48000);
+    EXPECT_LT(most * 800 * 4, std::uint64_t{1} << 32U) << "the lengths in the file have 32 bits";
+    EXPECT_GT((most + 3) * 800 * 4, std::uint64_t{1} << 32U);
+}
+
 TEST_F(SoundFiles, ReplaceNothingUntilTheyAreComplete) {
     test::Wav const first = write("sound.wav", true, 30);
     {

@@ -59,5 +59,31 @@ TEST_F(JournalFile, RefusesDevicesAndPipes) {
     std::filesystem::remove(pipe);
 }
 
+TEST_F(JournalFile, IsBoundedInItsLinesAndInSum) {
+    auto const refusal = [&] {
+        try {
+            Journal const journal(file, team);
+        } catch (std::invalid_argument const& error) {
+            return std::string(error.what());
+        }
+        return std::string("read");
+    };
+    Journal(file, team).add("a", "1");
+    Journal(file, team).add("b", std::string(Journal::longestLine, 'x')); // could not be read
+    EXPECT_EQ(Journal(file, team).size(), 1U);
+    append(R"({"work":"c","result":")" + std::string(Journal::longestLine - 24, 'x') + "\"}\n");
+    EXPECT_EQ(refusal(), "read");
+    append(R"({"work":"d","result":")" + std::string(Journal::longestLine - 23, 'x') + "\"}\n");
+    EXPECT_EQ(refusal(), file.string() + ", line 3: has more than 1048576 bytes; expected at most 1048576");
+    std::filesystem::remove(file);
+    Journal(file, team).add("a", "1");
+    // The files of the other members count, too. Zeros that take no room:
+    std::filesystem::path const other = file.string() + ".1";
+    std::ofstream(other).close();
+    std::filesystem::resize_file(other, Journal::mostBytes - std::filesystem::file_size(file) + 1);
+    EXPECT_NE(refusal().find("has 536870913 bytes, together with"), std::string::npos) << refusal();
+    std::filesystem::remove(other);
+}
+
 } // namespace
 } // namespace trembler::insight

@@ -10,6 +10,17 @@
 namespace trembler {
 namespace {
 
+TEST(Progress, OfLevelsWhosePathsAreNotUtf8StaysApart) {
+    CampaignProgress progress;
+    progress.markSolved("l\xe4vel.json");
+    nlohmann::ordered_json const written =
+        nlohmann::ordered_json::parse(progress.written().dump()); // throws at what is not UTF-8
+    CampaignProgress again;
+    again.read(written);
+    EXPECT_TRUE(again.of("l\xe4vel.json").solved);
+    EXPECT_FALSE(again.of("l\xf6vel.json").solved);
+}
+
 TEST(Progress, NeverHasFewerStarsThanEitherPart) {
     std::mt19937 random(3);
     auto const any = [&](std::uint32_t below) { return static_cast<std::uint32_t>(random() % below); };

@@ -5,6 +5,7 @@
 #include "puzzle/solutions/verify.hpp"
 #include "runtime/file/output_file.hpp"
 #include "runtime/level/read/read_level.hpp"
+#include "runtime/level/read/read_part.hpp"
 #include "tests/puzzle/edit/edit_kit.hpp"
 
 #include <gtest/gtest.h>
@@ -58,6 +59,43 @@ TEST(Matter, OfAnotherKindThanTheObjectIsNamed) {
 TEST(Matter, OfAnObjectWithItsOwnAppearanceIsMeant) {
     json const drawing = json::parse(R"({"body": false, "shapes": [{"form": "circle", "radius": 0.1}]})");
     EXPECT_TRUE(problemsOf(levelOfOne({{"material", "water"}, {"drawing", drawing}})).empty());
+}
+
+PartDefinition partFrom(json const& part) {
+    return readPart(edit::editData().registry, JsonDocument::parse(part.dump(), "part.json"));
+}
+
+// Of a part in the toolbox all that it is made of is looked at, however deep inside.
+TEST(Matter, OfPiecesOfPiecesInTheToolboxIsNamed) {
+    json const shape = json::parse(R"([{"form": "box", "width": 1, "height": 1}])");
+    PartLibrary parts;
+    parts.add(partFrom({{"name", "wet"}, {"properties", {{"shape", shape}, {"material", "water"}}}}));
+    parts.add(partFrom({{"name", "dry"}, {"properties", {{"shape", shape}, {"material", "wood"}}}}));
+    parts.add(partFrom({{"name", "pair"},
+                        {"objects",
+                         {{{"name", "one"}, {"part", "dry"}, {"at", {0, 0}}},
+                          {{"name", "two"}, {"part", "wet"}, {"at", {2, 0}}}}}}));
+    parts.add(
+        partFrom({{"name", "nest"}, {"objects", {{{"name", "inner"}, {"part", "pair"}, {"at", {0, 0}}}}}}));
+    parts.add(partFrom(
+        {{"name", "mild"},
+         {"objects",
+          {{{"name", "one"}, {"part", "wet"}, {"at", {0, 0}}, {"properties", {{"material", "wood"}}}}}}}));
+    for (auto const& [part, said] :
+         std::vector<std::pair<std::string, std::string>>{{"wet", "'wet' is a solid body"},
+                                                          {"pair", "'two' of 'pair' is a solid body"},
+                                                          {"nest", "'inner two' of 'nest' is a solid body"},
+                                                          {"mild", ""},
+                                                          {"dry", ""}}) {
+        json level = levelOfOne({{"material", "wood"}});
+        level["toolbox"] = json::array({{{"part", part}, {"count", 1}}});
+        Registry const& registry = edit::editData().registry;
+        LevelFile const read = readLevel(registry, JsonDocument::parse(level.dump(1), "level.json"));
+        std::vector<std::string> const doubts =
+            doubtsAbout(parts, read, checkPlayable(registry, parts, read));
+        ASSERT_EQ(doubts.size(), said.empty() ? 0U : 1U) << part;
+        EXPECT_TRUE(said.empty() || doubts.front().find(said) != std::string::npos) << doubts.front();
+    }
 }
 
 TEST(Matter, IsNamedByProblemsVerifyAndRun) {

@@ -195,6 +195,26 @@ TEST_F(Bounds, OfMods) {
     EXPECT_EQ(listed.back().filename(), "x0998");
 }
 
+TEST_F(Bounds, OfThePartsOfAllModsOfALevel) {
+    std::string const spaces(std::size_t{25} << 20U, ' ');
+    std::vector<lua::Mod> mods;
+    Problems problems;
+    for (std::string const name : {"one", "three", "two"}) {
+        write(
+            "mods/" + name + "/mod.json",
+            nlohmann::json{{"name", name}, {"version", "1"}, {"author", "a"}, {"licence", "l"}, {"text", "t"}}
+                .dump());
+        write("mods/" + name + "/parts/it.json",
+              R"({"name": "part of )" + name + R"(", "properties": {"material": "wood"}})" + spaces);
+        mods.push_back(lua::readMod(folder / "mods" / name, problems));
+    }
+    problems.throwIfAny();
+    EXPECT_EQ(said([&] { (void)GameData({mods[0], mods[1]}); }), "read");
+    std::string const refusal = said([&] { (void)GameData(mods); });
+    EXPECT_EQ(refusal.find("its files of parts and those of the other mods have 786"), 0U) << refusal;
+    EXPECT_NE(refusal.find("bytes together; expected at most 67108864"), std::string::npos) << refusal;
+}
+
 TEST_F(Bounds, OfKindsOfSolutionInAProfile) {
     nlohmann::ordered_json kinds = nlohmann::ordered_json::array();
     for (int i = 0; i < 1010; ++i) {

@@ -11,6 +11,7 @@
 #include <set>
 #include <sstream>
 #include <sys/resource.h>
+#include <sys/stat.h>
 
 namespace trembler::test {
 namespace {
@@ -60,6 +61,39 @@ private:
     CallsWithoutSync calls_;
     FileCallsReplaced const replaced_{calls_};
 };
+
+// Opening a pipe for writing would wait for a reader for ever.
+TEST_F(KeptFiles, AreNotWrittenToDevicesAndPipes) {
+    fs::path const pipe = folder / "pipe.json";
+    ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+    for (fs::path const& other : {pipe, fs::path("/dev/null")}) {
+        try {
+            KeptFile(other).write(next);
+            ADD_FAILURE() << other;
+        } catch (OutputError const& error) {
+            EXPECT_EQ(std::string(error.what()), other.string() + ": is a device or a pipe; expected a file");
+            EXPECT_EQ(error.file(), other);
+        }
+    }
+    EXPECT_TRUE(fs::is_fifo(pipe));
+}
+
+TEST_F(KeptFiles, HoldAsManyValuesAsAFileMayHave) {
+    auto const withValues = [](std::size_t values) { // the object and the list are two of them
+        std::string text = "{\"a\":[1";
+        text.reserve(2 * values + 10);
+        for (std::size_t i = 3; i < values; ++i) {
+            text += ",1";
+        }
+        return text + "]}";
+    };
+    EXPECT_TRUE(isWholeJson(withValues(limits::values)));
+    std::string const tooMany = withValues(limits::values + 1);
+    EXPECT_FALSE(isWholeJson(tooMany));
+    begin();
+    EXPECT_THROW(file.write(tooMany), OutputError) << "it could never be read";
+    EXPECT_EQ(textOf(file.path()), good);
+}
 
 TEST_F(KeptFiles, KeepTheVersionBefore) {
     EXPECT_FALSE(file.read().text);

@@ -5,12 +5,15 @@
 #include "puzzle/run/runner.hpp"
 #include "runtime/file/output_file.hpp"
 #ifndef TREMBLER_HEADLESS
+#include "audio/device/sound_file.hpp"
 #include "game/ui/headless/run_sound.hpp"
 #endif
 
+#include <cstdint>
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
+#include <limits>
 #include <stdexcept>
 #include <vector>
 
@@ -25,6 +28,7 @@ public:
         throw std::runtime_error("--sound: this build was made without sound; build it without "
                                  "-DTREMBLER_HEADLESS=ON");
     }
+    [[nodiscard]] static std::uint64_t mostFrames() { return std::numeric_limits<std::uint64_t>::max(); }
     void finish() {}
 };
 
@@ -48,6 +52,10 @@ public:
         throw OutputError(std::string("--sound ") + error.what());
     } catch (std::invalid_argument const& error) {
         throw std::invalid_argument(std::string("--sound ") + error.what());
+    }
+    /// The longest run whose sound a file has room for.
+    [[nodiscard]] static std::uint64_t mostFrames() {
+        return SoundFile::mostFrames(SynthesiserOptions().rate);
     }
     /// Puts the file in its final place. Throws OutputError.
     void finish() {

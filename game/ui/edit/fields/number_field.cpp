@@ -15,6 +15,7 @@ namespace {
 
 constexpr int digitsToType = 9;     // all that files state of usual lengths
 constexpr int digitsOfDrag = 5;     // a drag makes round numbers
+constexpr double hundredths = 1000; // below this, multiples of 0.01
 constexpr float tipAfter = 0.5F;    // s over a field
 constexpr double sameToType = 1e-8; // relative
 
@@ -45,6 +46,11 @@ std::string fittedNumber(double value, std::string const& unit, bool whole, floa
     return shown;
 }
 
+/// Dear ImGui rounds a dragged number to what its format shows.
+std::string formatOfDrag(double value) {
+    return std::abs(value) < hundredths ? "%.2f" : "%." + std::to_string(digitsOfDrag) + "g";
+}
+
 void numberTipOf(double value, std::string const& unit, bool whole, std::string const& shown) {
     ImGuiContext const& context = *ImGui::GetCurrentContext();
     if (!ImGui::IsItemHovered() || ImGui::IsItemActive() || context.HoveredIdTimer < tipAfter) {
@@ -67,7 +73,7 @@ bool numberField(EditParts& parts, std::string const& item, double& value, doubl
     bool const typing = ImGui::TempInputIsActive(id);
     bool const dragging = ImGui::GetActiveID() == id && ImGui::IsMouseDown(ImGuiMouseButton_Left) && !typing;
     std::string const format = whole      ? "%.0f"
-                               : dragging ? "%." + std::to_string(digitsOfDrag) + "g"
+                               : dragging ? formatOfDrag(value)
                                           : "%." + std::to_string(digitsToType) + "g";
     ImU32 const colour = ImGui::GetColorU32(ImGuiCol_Text);
     if (!typing) { // the field draws its text itself, cut; ours is drawn over it

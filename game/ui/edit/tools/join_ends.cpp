@@ -1,5 +1,6 @@
 #include "game/ui/edit/tools/join_ends.hpp"
 
+#include "game/ui/edit/edit_words.hpp"
 #include "game/ui/edit/view/edit_geometry.hpp"
 #include "game/ui/shared/shown_faults.hpp"
 #include "game/ui/shared/texts.hpp"
@@ -89,6 +90,22 @@ std::string whyNoJoint(EditParts const& parts, Store const& store, Join const& j
     }
     auto const why = refuseJoint(store, joint);
     return why ? translated(*why) : std::string();
+}
+
+/// Whether the level has a joint of the chosen form between the same ends, from the same place to the same.
+bool isThere(EditParts const& parts, Join const& join) {
+    constexpr double same = 1e-6; // m
+    auto const near = [](Vec2 a, Vec2 b) { return length(a - b) < same; };
+    std::vector<edit::JointEntry> const joints = edit::jointsOf(parts.tree());
+    return std::any_of(joints.begin(), joints.end(), [&](edit::JointEntry const& one) {
+        bool const twoEnds = !near(one.at, one.atB);
+        Vec2 const atB = twoEnds ? join.atB : join.at;
+        bool const alike =
+            one.a == join.from.name && one.b == join.to.name && near(one.at, join.at) && near(one.atB, atB);
+        bool const reversed =
+            one.a == join.to.name && one.b == join.from.name && near(one.at, atB) && near(one.atB, join.at);
+        return one.form == parts.jointForm && (alike || reversed);
+    });
 }
 
 std::vector<ObjectId> joinable(EditParts const& parts, Tool tool, JoinEnd const& from,
@@ -183,6 +200,9 @@ std::string whyNoJoin(EditParts const& parts, Join const& join) {
     }
     if (std::string why = whyNoJoint(parts, *store, join); !why.empty()) {
         return why;
+    }
+    if (isThere(parts, join)) {
+        return words::jointThere;
     }
     try {
         static_cast<void>(edit::addJoint(*parts.data, parts.tree(), parts.jointForm, join.from.name,

@@ -82,14 +82,21 @@ void JoinTool::release(EditParts& parts) {
 }
 
 void JoinTool::finish(EditParts& parts) {
+    bool const wire = parts.tool == Tool::wire;
+    if (wire && under_.valid() && (under_.object == from_.object || !why_.empty())) {
+        if (!why_.empty()) { // the wire can still end elsewhere
+            parts.tell(why_, render::ToastKind::Trouble);
+        }
+        return;
+    }
     Join const join = joinTo(parts, under_);
     JoinEnd const from = std::exchange(from_, {});
-    if (!from.valid() || (parts.tool == Tool::wire && !join.to.valid())) {
-        return; // onto the paper, or the beginning again: no wire
+    if (!from.valid() || (wire && !join.to.valid())) {
+        return; // onto the paper: no wire
     }
     if (!why_.empty()) {
         parts.tell(std::exchange(why_, {}), render::ToastKind::Trouble);
-    } else if (parts.tool == Tool::wire) {
+    } else if (wire) {
         actions::connectObjects(parts, join.from.name, join.to.name);
     } else {
         actions::joinObjects(parts, join.from.name, join.to.name, join.at, join.atB);

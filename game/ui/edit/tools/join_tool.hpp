@@ -13,7 +13,7 @@ public:
     /// Looks at what is under the pointer; to be called once per picture, before the others.
     void look(EditParts const& parts);
     /// A press of the button: it begins at what is under the pointer, or ends there. Returns whether a drag
-    /// has begun.
+    /// has begun. A wire whose end is refused stays in the hand.
     bool press(EditParts& parts);
     /// The end of that drag.
     void release(EditParts& parts);

@@ -48,14 +48,17 @@ double factorOnGrid(Snapping const& snapping, Vec2 from, Vec2 fixed, double fact
     return best;
 }
 
-/// `snapping`: nullptr for none.
-Scaling scalingTo(SelectionHandles const& handles, std::size_t handle, Vec2 to, Snapping const* snapping) {
+/// `snapping`: nullptr for none. `evenly`: a corner keeps the proportions.
+Scaling scalingTo(SelectionHandles const& handles, std::size_t handle, Vec2 to, Snapping const* snapping,
+                  bool evenly) {
     Vec2 const from = handles.edges[handle];
     Vec2 const middle = handles.middle();
     Vec2 const fixed = 2 * middle - from; // the handle on the other side
     Scaling scaling{{1, 1}, fixed};
     Vec2 const end = snapping == nullptr ? to : snapping->place(to);
-    if (handle < 4) { // both directions alike: no shape is distorted by a corner
+    if (handle < 4 && !evenly) {
+        scaling.factors = {factorOf(from.x, end.x, fixed.x), factorOf(from.y, end.y, fixed.y)};
+    } else if (handle < 4) {
         double const before = length(from - fixed);
         double const along =
             before > 0 ? ((to.x - fixed.x) * (from.x - fixed.x) + (to.y - fixed.y) * (from.y - fixed.y)) /
@@ -113,8 +116,10 @@ void EditMouse::drag(EditParts& parts) {
     case Doing::scaling: {
         Vec2 const gap = handles_->scaling[handle_] - handles_->edges[handle_];
         bool const grid = parts.snapping.on && !pointer.free;
+        // Discs, and what is turned, can be scaled in both directions alike only.
+        bool const evenly = pointer.fine || !handles_->stretches();
         Scaling const scaling =
-            scalingTo(*handles_, handle_, pointer.world - gap, grid ? &parts.snapping : nullptr);
+            scalingTo(*handles_, handle_, pointer.world - gap, grid ? &parts.snapping : nullptr, evenly);
         return change(parts, [&](Json const& level) {
             return edit::scaleObjects(*parts.data, level, parts.selected(), scaling.factors, scaling.centre);
         });

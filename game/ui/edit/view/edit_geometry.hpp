@@ -29,6 +29,8 @@ struct SelectionHandles {
     /// For each of these, the point of the box that it stands for, a little further inside.
     std::vector<Vec2> edges;
     [[nodiscard]] Vec2 middle() const { return box.corner + 0.5 * box.size; }
+    /// Whether each direction can be scaled by itself.
+    [[nodiscard]] bool stretches() const { return edges.size() > 4; }
 };
 [[nodiscard]] std::optional<SelectionHandles> handlesOf(EditParts const& parts);
 

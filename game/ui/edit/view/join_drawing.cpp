@@ -67,6 +67,8 @@ void drawJoiningWords(EditParts const& parts, JoinTool const& join) {
         chip(words::wireFromHere, palette::accent);
     } else if (parts.tool == Tool::joint && join.from().valid()) {
         chip(words::jointToWorld, palette::accent);
+    } else if (!join.under().valid() && parts.pointer.inside) {
+        chip(parts.tool == Tool::wire ? words::wireBegins : words::jointBegins, palette::accent);
     }
 }
 

@@ -7,9 +7,12 @@
 #include "render/scene/objects/part.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace trembler::ui {
 namespace {
@@ -69,18 +72,41 @@ void drawRing(ImDrawList& list, Rect const& rect, double age, bool moves) {
                  scaled(11), 0, scaled(3.5F));
 }
 
-/// Words on a note at `at`, which is the middle of its lower edge; moved so that it lies on the screen.
-void drawNote(ImDrawList& list, ImVec2 at, std::string const& words) {
+/// A note's edge around its words.
+ImVec2 noteEdge() {
+    return {scaled(11), scaled(7)};
+}
+
+/// The place of a note with these words; `at` is the middle of its lower edge. Moved so that it lies on the
+/// screen.
+Rect notePlace(ImVec2 at, std::string const& words) {
     ImFont* const font = theme().fonts.strong;
     ImVec2 const size = font->CalcTextSizeA(font->FontSize, 1e9F, 0, words.c_str());
     ImVec2 const screen = ImGui::GetIO().DisplaySize;
-    float const x = scaled(11);
-    float const y = scaled(7);
+    auto const [x, y] = noteEdge();
     ImVec2 low{at.x - 0.5F * size.x - x, at.y - size.y - 2 * y};
     low.x = std::clamp(low.x, scaled(6), std::max(screen.x - size.x - 2 * x - scaled(6), scaled(6)));
     low.y = std::clamp(low.y, scaled(6), std::max(screen.y - size.y - 2 * y - scaled(6), scaled(6)));
-    ImVec2 const high{low.x + size.x + 2 * x, low.y + size.y + 2 * y};
-    list.AddRectFilled(low, high, imColour(palette::accent), scaled(9));
+    return {{low.x, low.y}, {low.x + size.x + 2 * x, low.y + size.y + 2 * y}};
+}
+
+/// Whether a card is there whose words the player reads, other than that of the button to press.
+bool hidesWords(PlayParts const& parts, Rect const& note, std::optional<Rect> const& ring) {
+    constexpr std::array<std::string_view, 9> read{"why",        "hints", "inspector", "goal",   "success",
+                                                   "components", "mods",  "probes",    "what if"};
+    std::vector<Placed> const& cards = parts.context.layout.cards();
+    return std::any_of(cards.begin(), cards.end(), [&](Placed const& card) {
+        bool const pressed = ring && card.rect.contains(ring->middle());
+        return !pressed && note.overlaps(card.rect) &&
+               std::find(read.begin(), read.end(), card.name) != read.end();
+    });
+}
+
+void drawNote(ImDrawList& list, Rect const& place, std::string const& words) {
+    ImFont* const font = theme().fonts.strong;
+    ImVec2 const low = pixelsOf(place.low);
+    auto const [x, y] = noteEdge();
+    list.AddRectFilled(low, pixelsOf(place.high), imColour(palette::accent), scaled(9));
     list.AddText(font, font->FontSize, {low.x + x, low.y + y}, imColour(palette::paperLight), words.c_str());
 }
 
@@ -150,6 +176,8 @@ LessonShown shownPlace(PlayParts const& parts, TeachingStep const& step) {
     shown.to = pixelsOf(parts.camera().toScreen({step.at.x, step.at.y}));
     bool const mouse = parts.lesson.device() == InputDevice::mouse;
     bool const carried = isCarried(parts, step.object);
+    std::optional<ImVec2> elsewhere;
+    bool selected = false; // and the keys move it, not the pointer
     if (!carried) {
         shown.ring = itemPlace(parts, "part " + step.object);
         if (shown.ring) {
@@ -158,7 +186,9 @@ LessonShown shownPlace(PlayParts const& parts, TeachingStep const& step) {
         for (PlacedPart const& part : parts.session.placed()) { // it lies elsewhere
             if (part.placement.part == step.object) {
                 shown.ring.reset();
-                shown.from = pixelsOf(parts.camera().toScreen({part.placement.at.x, part.placement.at.y}));
+                elsewhere = pixelsOf(parts.camera().toScreen({part.placement.at.x, part.placement.at.y}));
+                shown.from = elsewhere;
+                selected = parts.placing.selected() == part.number && !parts.keyPointer.active();
             }
         }
     }
@@ -166,6 +196,11 @@ LessonShown shownPlace(PlayParts const& parts, TeachingStep const& step) {
         shown.words = text("lesson.drag");
     } else if (carried) {
         shown.words = textWith("lesson.move_by_keys", arrowsFor(parts), keysFor(parts, "act"));
+    } else if (elsewhere && selected) {
+        shown.words = textWith("lesson.nudge_by_keys", arrowsFor(parts));
+    } else if (elsewhere) {
+        shown.to = elsewhere; // beside what is to be taken
+        shown.words = textWith("lesson.fetch_by_keys", arrowsFor(parts), keysFor(parts, "act"));
     } else {
         shown.words = textWith("lesson.take_by_key", keysFor(parts, "next-part"));
     }
@@ -264,7 +299,15 @@ void drawLesson(PlayParts& parts) {
             drawPointingHand(list, *shown.to, 1, false);
         }
     }
-    drawNote(list, note, shown.words);
+    Rect place = notePlace(note, shown.words);
+    if (hidesWords(parts, place, shown.ring)) {
+        auto const height = static_cast<float>(place.high.y - place.low.y);
+        place = notePlace({shown.to->x, shown.to->y + scaled(34) + height}, shown.words);
+        if (hidesWords(parts, place, shown.ring)) {
+            return;
+        }
+    }
+    drawNote(list, place, shown.words);
 }
 
 } // namespace trembler::ui

@@ -129,7 +129,10 @@ void Profile::write() {
         }
         Json all = withAdded(std::move(present), values_, progress_);
         progress_.add(progressOf(all));
-        return all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+        std::string indented = all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+        return indented.size() <= limits::fileSize
+                   ? indented
+                   : all.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
     };
     try {
         KeptFile(file_, isWholeProfile).change(added);

@@ -59,7 +59,10 @@ std::vector<SavedSolution> SavedSolutions::of(std::string const& levelId) const 
             if (!name.empty()) {
                 all.push_back({file, cutText(std::move(name), limits::name)});
             }
-        } catch (InputError const&) { // it cannot be read now
+        } catch (InputError const& error) { // it cannot be read now
+            if (told_.insert(file).second) {
+                notRead_.push_back(error);
+            }
         }
     }
     std::sort(all.begin(), all.end(), [](SavedSolution const& a, SavedSolution const& b) {

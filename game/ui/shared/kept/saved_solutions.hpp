@@ -3,9 +3,11 @@
 
 #include "puzzle/campaign/kept_builds.hpp"
 #include "runtime/file/kept_file.hpp"
+#include "runtime/level/json/diagnostic.hpp"
 #include "runtime/level/model/level.hpp"
 
 #include <filesystem>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -39,12 +41,16 @@ public:
     static void remove(SavedSolution const& saved);
     /// The damaged files that of() has found since the last call.
     [[nodiscard]] std::vector<DamagedFile> takeDamaged() { return std::exchange(damaged_, {}); }
+    /// The same of files that could not be read; each once for as long as the program runs.
+    [[nodiscard]] std::vector<InputError> takeNotRead() { return std::exchange(notRead_, {}); }
 
 private:
     [[nodiscard]] std::filesystem::path folderOf(std::string const& levelId) const;
 
     std::filesystem::path folder_;
     mutable std::vector<DamagedFile> damaged_;
+    mutable std::vector<InputError> notRead_;
+    mutable std::set<std::filesystem::path> told_; // of those
 };
 
 } // namespace trembler::ui

@@ -41,6 +41,46 @@ TEST_F(Mods, ANewModIsGood) {
     EXPECT_TRUE(contains(listed.out, "(Dynamics <- Wind)")) << "and the mods that come with the program";
 }
 
+// A check says nothing good of what it has not looked at.
+TEST_F(Mods, FilesThatNothingLooksAtAreWarnedOf) {
+    makeMod("my-mod", folder.string());
+    std::vector<std::string> const overlooked{
+        "pull.lua",      "interactions/more/pull.lua", "interactions/pull.LUA", "levels/chapter/2-bad.json",
+        "levels/3.JSON", "tests/more/4.json"};
+    for (std::string const& file : overlooked) {
+        std::filesystem::create_directories(std::filesystem::path(at("my-mod/" + file)).parent_path());
+        write(at("my-mod/" + file), "not good");
+    }
+    Ran const checked = run({"mod", "check", at("my-mod")});
+    EXPECT_EQ(checked.status, 0) << checked.out << checked.err;
+    EXPECT_TRUE(contains(checked.out, "6 warnings")) << checked.out;
+    for (std::string const& file : overlooked) {
+        EXPECT_TRUE(contains(checked.out, "warning: " + at("my-mod/" + file) + ": is no")) << checked.out;
+    }
+}
+
+TEST_F(Mods, FoldersThatCannotBeReadFailTheCheck) {
+    for (std::string const part : {"interactions", "levels", "tests"}) {
+        makeMod("my-mod", folder.string());
+        std::string const wrong = at("my-mod/" + part);
+        std::filesystem::remove_all(wrong);
+        write(wrong, "a file in its place");
+        Ran const checked = run({"mod", "check", at("my-mod")});
+        EXPECT_EQ(checked.status, 2) << checked.out << checked.err;
+        EXPECT_TRUE(contains(checked.err, wrong + ": cannot be read: ")) << checked.err;
+        std::filesystem::remove_all(at("my-mod"));
+    }
+}
+
+TEST_F(Mods, ANewModThatCannotBeWrittenLeavesNothing) {
+    Ran const failed = runProgram({"mod", "new", "my-mod", "--in", folder.string()}, {.longestFile = 2000});
+    EXPECT_NE(failed.status, 0);
+    EXPECT_FALSE(std::filesystem::exists(at("my-mod"))) << failed.err;
+    makeMod("my-mod", folder.string());
+    EXPECT_EQ(run({"mod", "new", "my-mod", "--in", folder.string()}).status, 2);
+    EXPECT_TRUE(std::filesystem::exists(at("my-mod/mod.json"))) << "the mod before stays";
+}
+
 TEST_F(Mods, AMistakeIsReportedWithFileAndLineAndNothingIsChecked) {
     makeMod("my-mod", folder.string());
     std::string const script = at("my-mod/interactions/push.lua");

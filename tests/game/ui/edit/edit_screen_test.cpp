@@ -177,6 +177,27 @@ TEST(Editor, RecordsASolutionByPlaying) {
     designer.look("edit-solutions");
 }
 
+TEST(Editor, TheLevelIsNeverLeftFarBehind) {
+    Designer designer;
+    designer.editText(R"({"version": 2, "title": "Room",
+        "world": {"gravity": [0, -9.81], "bounds": [-4, -0.5, 8, 4.5]},
+        "objects": [{"name": "crate", "part": "crate", "at": [-1, 1]}]})");
+    auto const pan = [&](Point by) {
+        for (int i = 0; i < 30; ++i) {
+            designer.drag({500, 360}, Point{500, 360} + by, MouseButton::Right, 1);
+        }
+    };
+    pan({-400, 0});
+    double const right = designer.parts().camera().centre.x;
+    EXPECT_GT(right, 8) << "there is room beside the level to draw in";
+    EXPECT_LT(right, 24) << "two windows beyond its edge";
+    pan({0, 300});
+    EXPECT_GT(designer.parts().camera().centre.y, -0.5 - 20);
+    pan({400, 0});
+    EXPECT_LT(designer.parts().camera().centre.x, -8);
+    EXPECT_GT(designer.parts().camera().centre.x, -24);
+}
+
 TEST(Editor, AsksBeforeChangesAreLost) {
     Designer designer;
     designer.editCopyOf(firstContact);

@@ -64,8 +64,48 @@ TEST_F(Wiring, WhatDoesNotConductIsRefusedAtThePointer) {
     player.click(player.at({2, 2.5}));
     EXPECT_TRUE(player.session().wires().empty());
     player.key(SDLK_ESCAPE);
+    EXPECT_TRUE(player.play().wires().laying()) << "first the wire is let go, then the tool";
+    EXPECT_FALSE(player.play().wires().from().valid());
+    player.key(SDLK_ESCAPE);
     EXPECT_FALSE(player.play().wires().laying());
     EXPECT_FALSE(player.app().menu().isOpen());
+}
+
+TEST_F(Wiring, AnEndThatIsRefusedLeavesTheWireInTheHand) {
+    player.drag(player.item("part wooden bar"), player.at({2, 2.5}));
+    player.key(SDLK_w);
+    auto const from = [&] {
+        WireTool const& wires = player.play().wires();
+        return wires.from().valid() ? player.session().world().store().nameOf(wires.from()) : std::string();
+    };
+    auto& toasts = player.app().context().toasts;
+    auto const before = toasts.count();
+    player.drag(player.at(plus), player.at({2, 2.5}));
+    EXPECT_EQ(from(), "plus") << "after a drag";
+    EXPECT_EQ(toasts.count(), before + 1) << "the player is told once";
+    player.click(player.at({2, 2.5}));
+    EXPECT_EQ(from(), "plus") << "after a click";
+    player.click(player.at(plus));
+    EXPECT_EQ(from(), "plus") << "after a click on the beginning";
+    player.click(player.at(lamp));
+    EXPECT_EQ(player.session().wires().size(), 1U);
+    EXPECT_EQ(from(), "");
+    player.click(player.at(plus));
+    player.click(player.at({2, 2.5}));
+    player.click(player.at({2, 2.5}), MouseButton::Right);
+    EXPECT_EQ(from(), "");
+    EXPECT_TRUE(player.play().wires().laying());
+}
+
+TEST_F(Wiring, BothEndsAreRefusedInTheSameWords) {
+    player.drag(player.item("part wooden bar"), player.at({2, 2.5}));
+    player.key(SDLK_w);
+    player.moveTo(player.at({2, 2.5}));
+    std::string const asBeginning = player.play().wires().why();
+    ASSERT_NE(asBeginning.find("current"), std::string::npos) << asBeginning;
+    player.click(player.at(plus));
+    player.moveTo(player.at({2, 2.5}));
+    EXPECT_EQ(player.play().wires().why(), asBeginning);
 }
 
 TEST_F(Wiring, ScissorsTakeBackOnlyThePlayersWires) {

@@ -12,6 +12,7 @@
 #include <chrono>
 #include <csignal>
 #include <random>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -51,6 +52,38 @@ TEST(Autosave, LeavesWhatWasChangedWhenTheProgramDies) {
     EXPECT_FALSE(document.modified());
     EXPECT_TRUE(findRecoveries(recovery).empty()); // nothing would be lost, so it was removed
     EXPECT_TRUE(fs::is_empty(recovery));
+}
+
+TEST(Autosave, IsOfferedForALevelWhosePathIsNotUtf8) {
+    fs::path const folder = testFolder();
+    fs::path const recovery = folder / "recovery";
+    for (char const* const name : {"l\xe4vel.json", "l\xf6vel.json"}) {
+        writeText(folder / name, smallLevel());
+        LevelDocument document = LevelDocument::open(editData(), folder / name);
+        Autosave autosave(recovery);
+        document.run(setTitle(document.tree(), name[1] == '\xe4' ? "first" : "second"));
+        autosave.flush(document);
+        ASSERT_FALSE(autosave.error());
+        autosave.abandon();
+    }
+    auto const found = findRecovery(recovery, folder / "l\xe4vel.json");
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->title, "first");
+    EXPECT_FALSE(found->changedSince);
+    fs::remove_all(folder);
+}
+
+TEST(Autosave, ThatCannotBeReadIsTold) {
+    fs::path const recovery = testFolder() / "recovery";
+    fs::create_directories(recovery / "1-1.json"); // a folder in its place
+    RecoveryTroubles troubles;
+    EXPECT_TRUE(findRecoveries(recovery, &troubles).empty());
+    ASSERT_EQ(troubles.notRead.size(), 1U);
+    EXPECT_NE(std::string(troubles.notRead.front().what()).find("1-1.json"), std::string::npos);
+    // A pipe in the place of the lock does not wait for its writer.
+    ASSERT_EQ(::mkfifo((recovery / "1-1.lock").c_str(), 0600), 0);
+    EXPECT_TRUE(findRecoveries(recovery, &troubles).empty());
+    fs::remove_all(recovery);
 }
 
 TEST(Autosave, SurvivesKill) {

@@ -192,6 +192,14 @@ TEST_F(EveryOption, SuggestsTheNearestWord) {
     expect({"screenshot", places->level}, "--out is required");
     expect({"report", places->level, "--table"}, "--markdown");
     expect({"run", places->level, "--every", "3"}, "--every: expected --csv");
+    // Of what would have no effect, or would ask about what is never run.
+    expect({"report", places->level, "--seed", "5", "--runs", "0", "--drops", "0"},
+           "--seed: expected --runs");
+    for (char const* const jitter : {"--jitter-cm", "--jitter-degrees", "--jitter-seconds"}) {
+        expect({"report", places->level, jitter, "1", "--runs", "0"},
+               std::string(jitter) + ": expected --runs");
+    }
+    expect({"why", places->level, "--object", "b", "--at", "2", "--frames", "10"}, "--at: expected at most");
 }
 
 TEST_F(EveryOption, HasTheNameOfItsFileInItsOwnForm) {
@@ -232,6 +240,10 @@ TEST_F(OptionsAboutTheLevel, AreRefusedBeforeItRuns) {
               {"--watch world.gravty", "did you mean"}},
              {{"run", input, "--watch", "nobody.position", "--svg", at("new.svg")},
               {"--watch nobody.position"}},
+             {{"run", input, "--hash-every", "1", "--frames", "1000001"},
+              {"--hash-every 1", "1000001 hashes", "at most 1000000"}},
+             {{"run", input, "--sound", at("new.wav"), "--frames", "2000000"},
+              {"--sound", "has 2000000 frames", "at most 1342"}},
              {{"why", input, "--goal", "x"}, {"--goal x", "expected"}},
              {{"why", input, "--object", "x", "--at", "1"}, {"--object x"}}}) {
         Ran const ran = runProgram(one.arguments);

@@ -3,6 +3,8 @@
 #include "puzzle/edit/commands/objects.hpp"
 #include "tests/game/ui/edit/editor_kit.hpp"
 
+#include <cmath>
+
 namespace trembler::ui::test {
 namespace number_field_test {
 namespace {
@@ -77,6 +79,17 @@ TEST_F(Numbers, ADragChangesIt) {
     EXPECT_GT(designer.placeOf("crate").x, -0.9);
     EXPECT_FALSE(typing());
     EXPECT_EQ(designer.parts().document.done(), 1U);
+}
+
+TEST_F(Numbers, ADragMakesRoundNumbers) {
+    for (int const pixels : {37, 53}) {
+        Point const at = designer.item("at x");
+        double const before = designer.placeOf("crate").x;
+        designer.drag(at, at + Point{1.0 * pixels, 0});
+        double const after = designer.placeOf("crate").x;
+        EXPECT_GT((after - before) * pixels, 0);
+        EXPECT_NEAR(100 * after, std::round(100 * after), 1e-6) << "a centimetre, after " << pixels;
+    }
 }
 
 TEST_F(Numbers, LookingAtALongNumberChangesNothing) {

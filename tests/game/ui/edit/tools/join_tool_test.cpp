@@ -5,6 +5,7 @@
 #include "render/scene/facts/pick.hpp"
 #include "render/scene/facts/poses.hpp"
 #include "runtime/placement.hpp"
+#include "tests/game/ui/drawn_words.hpp"
 #include "tests/game/ui/edit/editor_kit.hpp"
 
 #include <algorithm>
@@ -180,6 +181,69 @@ TEST_F(Joining, WhatAWireCannotJoinSaysWhy) {
     EXPECT_NE(join().why(), "") << "they are connected already";
     designer.click(on("cell plus"));
     EXPECT_EQ(connections().size(), 1U);
+}
+
+TEST_F(Joining, AnEndThatIsRefusedLeavesTheWireInTheHand) {
+    designer.key(SDLK_w);
+    auto& toasts = designer.app().context().toasts;
+    auto const before = toasts.count();
+    designer.drag(on("cell plus"), on("plank"));
+    EXPECT_EQ(join().from().name, "cell plus") << "after a drag";
+    EXPECT_EQ(toasts.count(), before + 1) << "the designer is told once";
+    designer.click(on("plank"));
+    EXPECT_EQ(join().from().name, "cell plus") << "after a click";
+    designer.click(on("cell plus"));
+    EXPECT_EQ(join().from().name, "cell plus") << "after a click on the beginning";
+    designer.click(on("light left"));
+    EXPECT_EQ(connections(), Names{"cell plus to light left"});
+    EXPECT_FALSE(join().from().valid());
+    designer.click(on("cell plus"));
+    designer.click(on("plank"));
+    designer.key(SDLK_ESCAPE);
+    EXPECT_FALSE(join().from().valid());
+    EXPECT_EQ(designer.parts().tool, Tool::wire);
+}
+
+TEST_F(Joining, OnThePaperTheToolSaysHowItBegins) {
+    auto const says = [&](std::string const& words) {
+        designer.look("edit-join-begins");
+        std::vector<std::string> const lines = DrawnWords().lines();
+        return std::count_if(lines.begin(), lines.end(),
+                             [&](std::string const& line) { return line.find(words) != std::string::npos; });
+    };
+    Point const paper = designer.on({0, 3});
+    designer.moveTo(paper);
+    for (auto const& [key, words] :
+         {std::pair(SDLK_w, "the wire begins there"), std::pair(SDLK_j, "Drag from one object to another")}) {
+        EXPECT_EQ(says(words), 0) << words;
+        designer.key(key);
+        designer.moveTo(paper);
+        EXPECT_EQ(says(words), 1) << words;
+        designer.moveTo(on("cell plus"));
+        EXPECT_EQ(says(words), 0) << "over an object its name is said";
+        designer.moveTo(paper);
+    }
+}
+
+TEST_F(Joining, AJointThatIsThereIsNotMadeAgain) {
+    designer.key(SDLK_j);
+    designer.doubleClick(on("beam"));
+    ASSERT_EQ(designer.count("joints"), 1U);
+    designer.moveTo(on("beam"));
+    designer.press();
+    designer.frame();
+    EXPECT_NE(join().why().find("already"), std::string::npos) << join().why();
+    designer.release();
+    EXPECT_EQ(designer.count("joints"), 1U);
+    designer.click(on("beam") + Point{15, 0});
+    EXPECT_EQ(designer.count("joints"), 2U) << "at another place of it";
+    designer.parts().jointForm = "weld";
+    designer.click(on("beam"));
+    EXPECT_EQ(designer.count("joints"), 3U) << "of another form";
+    designer.parts().jointForm = "rope";
+    designer.drag(on("plank"), on("cell plus"));
+    designer.drag(on("cell plus"), on("plank"));
+    EXPECT_EQ(designer.count("joints"), 4U) << "the same rope from its other end";
 }
 
 TEST_F(Joining, WhatCanBeJoinedLightsUp) {

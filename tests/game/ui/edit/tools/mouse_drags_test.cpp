@@ -22,6 +22,18 @@ class Dragging : public testing::Test {
 protected:
     Dragging() { designer.editText(room); }
     void drag(Vec2 from, Vec2 to) { designer.drag(designer.on(from), designer.on(to)); }
+    /// The right upper square knob, while Shift is held or not.
+    void dragCorner(Vec2 by, bool shift) {
+        designer.frames(2);
+        auto const handles = handlesOf(designer.parts());
+        ASSERT_TRUE(handles);
+        ASSERT_EQ(handles->scaling.size(), 8U);
+        unsigned const modifiers = shift ? KMOD_LSHIFT : KMOD_NONE;
+        render::pushKey(window(), SDLK_LSHIFT, shift, modifiers);
+        drag(handles->scaling[2], handles->scaling[2] + by);
+        render::pushKey(window(), SDLK_LSHIFT, false, KMOD_NONE);
+        designer.frame();
+    }
 
     Designer designer;
 };
@@ -78,16 +90,25 @@ TEST_F(Dragging, APolygonKeepsItsCornersOnTheGrid) {
     EXPECT_GT(at.x, 1);
 }
 
-TEST_F(Dragging, AKnobTakesAnEdgeToTheGrid) {
+TEST_F(Dragging, AKnobAtACornerTakesBothEdgesToTheGrid) {
+    designer.key(SDLK_b);
+    drag({0.5, 0.25}, {1.5, 0.75});
+    designer.key(SDLK_s);
+    dragCorner({0.29, 0.09}, false);
+    auto const& shape = designer.tree()["objects"].back()["properties"]["shape"][0];
+    Vec2 const half{shape["width"].get<double>() / 2, shape["height"].get<double>() / 2};
+    Vec2 const at = designer.placeOf("box");
+    EXPECT_NEAR(at.x + half.x, 1.8, 1e-8);
+    EXPECT_NEAR(at.y + half.y, 0.85, 1e-8);
+    EXPECT_NEAR(at.x - half.x, 0.5, 1e-8) << "the corner on the other side stays";
+    EXPECT_NEAR(at.y - half.y, 0.25, 1e-8);
+}
+
+TEST_F(Dragging, WithShiftAKnobKeepsTheProportionsAndTakesAnEdgeToTheGrid) {
     designer.key(SDLK_b);
     drag({0, 0}, {0.3, 0.95});
     designer.key(SDLK_s);
-    designer.frames(2);
-    auto const handles = handlesOf(designer.parts());
-    ASSERT_TRUE(handles);
-    ASSERT_EQ(handles->scaling.size(), 8U);
-    Vec2 const knob = handles->scaling[2]; // upper right
-    drag(knob, knob + Vec2{0.113, 0.37});
+    dragCorner({0.113, 0.37}, true);
     auto const& shape = designer.tree()["objects"].back()["properties"]["shape"][0];
     double const width = shape["width"].get<double>();
     double const height = shape["height"].get<double>();

@@ -1,7 +1,11 @@
 // The first level teaches by actions: with the mouse, with keys, with a gamepad.
 #include "game/ui/play/lesson/lesson.hpp"
 #include "runtime/level/read/read_level.hpp"
+#include "tests/game/ui/drawn_text.hpp"
+#include "tests/game/ui/drawn_words.hpp"
 #include "tests/game/ui/virtual_pad.hpp"
+
+#include <algorithm>
 
 namespace trembler::ui::test {
 namespace lesson_test {
@@ -66,6 +70,58 @@ TEST(FirstLesson, ByKeys) {
     EXPECT_EQ(shownIn(player), Kind::run);
     player.key(SDLK_SPACE);
     expectSolved(player);
+}
+
+TEST(FirstLesson, ByKeysWhatLiesElsewhereIsFetched) {
+    Player player;
+    player.open(firstLevel);
+    Vec2 const elsewhere = goalOf(player) + Vec2{1, 0.5};
+    player.drag(player.item("part steel bar"), player.at(elsewhere));
+    ASSERT_EQ(player.session().placed().size(), 1U);
+    auto const says = [&](char const* words) {
+        std::vector<std::string> const lines = DrawnWords().lines();
+        return std::any_of(lines.begin(), lines.end(),
+                           [&](std::string const& line) { return line.find(words) != std::string::npos; });
+    };
+    auto const place = [&] { return player.session().placed()[0].placement.at; };
+    Vec2 const before = place();
+    player.key(SDLK_LEFT);
+    ASSERT_EQ(player.play().lesson().device(), InputDevice::keys);
+    player.look("lesson-keys-elsewhere-720");
+    EXPECT_FALSE(says("out of the toolbox")) << "none is left in it";
+    EXPECT_TRUE(says("move it here"));
+    EXPECT_LT(place().x, before.x) << "it is selected: the keys do as they are said to";
+    player.click(player.at(place() + Vec2{0, 0.7})); // selects nothing
+    player.key(SDLK_LEFT);
+    player.look("lesson-keys-fetch-720");
+    EXPECT_FALSE(says("out of the toolbox"));
+    EXPECT_TRUE(says("move the pointer to it"));
+}
+
+TEST(FirstLesson, TheNoteHidesNoWordsOfACard) {
+    int over = 0;
+    for (render::Size const size : {render::Size{1280, 720}, render::Size{800, 600}}) {
+        Player player(size);
+        for (char const* const command : {"components", "hint"}) {
+            player.open(firstLevel);
+            player.frames(30);
+            player.play().commands().run(command);
+            player.frames(10);
+            Point const above = player.at(goalOf(player)) - Point{0, 45};
+            for (DrawnText const& one : drawnTexts()) {
+                for (Placed const& card : player.layout().cards()) {
+                    if (one.text == "Drag this here") {
+                        EXPECT_FALSE(one.rect.overlaps(card.rect) && card.name != "toolbox") << card.name;
+                    }
+                }
+            }
+            for (Placed const& card : player.layout().cards()) {
+                over += card.rect.contains(above) && card.name != "toolbox" ? 1 : 0;
+            }
+            player.look(std::string("lesson-beside-") + command + std::to_string(size.width));
+        }
+    }
+    EXPECT_GT(over, 0) << "else nothing is tested";
 }
 
 TEST(FirstLesson, ByGamepad) {
