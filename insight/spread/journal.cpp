@@ -101,7 +101,7 @@ void Journal::read(fs::path const& file) {
     if (fs::file_status const found = fs::status(file, error);
         fs::exists(found) && !fs::is_regular_file(found) && !fs::is_directory(found)) {
         // The end of a device or of a pipe may never come.
-        throw std::invalid_argument(fmt::format("{}: is a device or a pipe; expected a file", file.string()));
+        throw std::invalid_argument(fmt::format("{}: is no ordinary file; expected a file", file.string()));
     }
     if (std::uintmax_t const size = fs::file_size(file, error); !error) {
         bytes_ += size;

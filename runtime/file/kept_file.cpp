@@ -192,7 +192,7 @@ KeptText KeptFile::change(std::function<std::optional<std::string>(KeptText cons
             throw OutputError(error.diagnostics().front().print());
         }
     } else if (isDeviceOrPipe(kind)) {
-        throw OutputError(fmt::format("{}: is a device or a pipe; expected a file", file_.string()), file_,
+        throw OutputError(fmt::format("{}: is no ordinary file; expected a file", file_.string()), file_,
                           EINVAL);
     } // else a folder, for which writing reports the error
     std::optional<std::string> const wanted = text(found);

@@ -71,7 +71,7 @@ TEST_F(KeptFiles, AreNotWrittenToDevicesAndPipes) {
             KeptFile(other).write(next);
             ADD_FAILURE() << other;
         } catch (OutputError const& error) {
-            EXPECT_EQ(std::string(error.what()), other.string() + ": is a device or a pipe; expected a file");
+            EXPECT_EQ(std::string(error.what()), other.string() + ": is no ordinary file; expected a file");
             EXPECT_EQ(error.file(), other);
         }
     }
