@@ -61,7 +61,8 @@ void addModFolders(CLI::App& command, std::vector<std::string>& folders) {
 }
 
 void addModFolderOption(CLI::App& command, std::vector<std::string>& folders, std::string const& meaning) {
-    accepts(command.add_option("--mod", folders, meaning)->type_name("DIR")->allow_extra_args(false),
+    CLI::Option* const option = command.add_option("--mod", folders, meaning);
+    accepts(option->type_name("DIR")->allow_extra_args(false),
             "a mod's folder, with its mod.json, or a folder of mods", [](std::string const& folder) -> Fault {
                 if (Fault const fault = faultOfInputFolder(folder)) {
                     return fault;
@@ -69,6 +70,7 @@ void addModFolderOption(CLI::App& command, std::vector<std::string>& folders, st
                 std::vector<std::filesystem::path> const place{lua::modsFolder(folder)};
                 return lua::listMods(place).empty() ? Fault("holds no mod") : std::nullopt;
             });
+    oncePerPath(option);
 }
 
 namespace {

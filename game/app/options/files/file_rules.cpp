@@ -129,8 +129,8 @@ CLI::Option* addLevel(CLI::App& command, std::string& target, std::string const&
 
 CLI::Option* addLevels(CLI::App& command, std::string const& name, std::vector<std::string>& target,
                        std::string const& meaning) {
-    return accepts(command.add_option(name, target, meaning)->type_name(""),
-                   "a level file, or a folder with levels, that can be read", faultOfInputPath);
+    return oncePerPath(accepts(command.add_option(name, target, meaning)->type_name(""),
+                               "a level file, or a folder with levels, that can be read", faultOfInputPath));
 }
 
 CLI::Option* addOutputFolder(CLI::App& command, std::string const& option, std::optional<std::string>& target,

@@ -10,9 +10,11 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <set>
 #include <stdexcept>
 #include <system_error>
 #include <unistd.h>
+#include <utility>
 
 namespace trembler {
 namespace {
@@ -39,9 +41,11 @@ std::vector<fs::path> levelsUnder(fs::path const& path) {
         return {path};
     }
     std::vector<fs::path> found;
+    fs::path last; // where the iterator was before an error, which sets it to the end
     error.clear();
     for (fs::recursive_directory_iterator at(path, error), end; !error && at != end; at.increment(error)) {
         std::error_code unknown;
+        last = at->path();
         if (at->is_regular_file(unknown) && at->path().extension() == ".json" && !isNotALevel(at->path()) &&
             !isNoLevel(at->path())) {
             found.push_back(at->path());
@@ -52,7 +56,8 @@ std::vector<fs::path> levelsUnder(fs::path const& path) {
         }
     }
     if (error) { // a folder in it that may not be looked into could hold levels
-        refuseToRead(path, error);
+        std::error_code unknown;
+        refuseToRead(fs::is_directory(last, unknown) ? last : path, error);
     }
     std::sort(found.begin(), found.end());
     return found;
@@ -96,6 +101,13 @@ std::vector<fs::path> levelsNamed(GameData const& gameData, std::vector<std::str
     for (fs::path const& level : levels) {
         checkReadable(level);
     }
+    // A file that is stated and in a folder that is stated, or has two names, is one level.
+    std::set<fs::path> before;
+    std::erase_if(levels, [&](fs::path const& level) {
+        std::error_code error;
+        fs::path same = fs::weakly_canonical(level, error);
+        return !before.insert(error ? level : std::move(same)).second;
+    });
     return levels;
 }
 

@@ -6,6 +6,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <system_error>
+#include <utility>
 #include <vector>
 
 namespace trembler {
@@ -15,6 +20,7 @@ namespace {
 // turn out to be the level, see takeBack()) nor shows in --help.
 constexpr char const* ruleName = "rule";
 constexpr char const* keyName = "once per key";
+constexpr char const* pathName = "once per path";
 
 std::optional<CLI::Validator> kept(CLI::Option& option, std::string const& name) {
     try {
@@ -26,13 +32,34 @@ std::optional<CLI::Validator> kept(CLI::Option& option, std::string const& name)
     }
 }
 
+CLI::Option* marked(CLI::Option* option, char const* name) {
+    CLI::Validator validator([](std::string&) { return std::string(); }, "");
+    validator.active(false);
+    return option->check(validator, name);
+}
+
 bool isFlag(CLI::Option const& option) {
     return option.get_items_expected_max() == 0;
 }
 
+/// "." and links taken out, as far as the path is there.
+std::string samePath(std::string const& path) {
+    std::error_code error;
+    std::filesystem::path const same = std::filesystem::weakly_canonical(path, error);
+    return error ? path : same.string();
+}
+
 /// What must differ between the values of a list.
-std::string keyOf(std::string const& value, bool beforeEquals) {
-    return beforeEquals ? value.substr(0, value.rfind('=')) : value;
+enum class Key { value, beforeEquals, path };
+
+Key keyOf(CLI::Option& option) {
+    return kept(option, keyName) ? Key::beforeEquals : kept(option, pathName) ? Key::path : Key::value;
+}
+
+std::string keyOf(std::string const& value, Key key) {
+    return key == Key::beforeEquals ? value.substr(0, value.rfind('='))
+           : key == Key::path       ? samePath(value)
+                                    : value;
 }
 
 std::optional<std::string> faultOfRepetition(CLI::Option& option) {
@@ -43,19 +70,17 @@ std::optional<std::string> faultOfRepetition(CLI::Option& option) {
                    ? std::optional(fmt::format("{}: stated {} times; expected once", name, values.size()))
                    : std::nullopt;
     }
-    bool const keyed = kept(option, keyName).has_value();
+    Key const key = keyOf(option);
     bool const list = option.get_expected_max() > 1;
-    for (std::size_t i = 1; i < values.size(); ++i) {
-        auto const before = std::find_if(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(i),
-                                         [&](std::string const& other) {
-                                             return !list || keyOf(other, keyed) == keyOf(values[i], keyed);
-                                         });
-        if (before != values.begin() + static_cast<std::ptrdiff_t>(i)) {
-            return fmt::format("{} {}: {} {} was stated before; expected {}", name, shown(values[i]), name,
-                               shown(*before),
-                               keyed  ? fmt::format("{} once", shown(keyOf(values[i], true)))
-                               : list ? "every value once"
-                                      : "one value");
+    std::map<std::string, std::string> stated; // values by what must differ
+    for (std::string const& value : values) {
+        std::string differing = list ? keyOf(value, key) : std::string();
+        if (auto const [before, isNew] = stated.try_emplace(std::move(differing), value); !isNew) {
+            return fmt::format("{} {}: {} {} was stated before; expected {}", name, shown(value), name,
+                               shown(before->second),
+                               key == Key::beforeEquals ? fmt::format("{} once", shown(before->first))
+                               : list                   ? "every value once"
+                                                        : "one value");
         }
     }
     return std::nullopt;
@@ -92,9 +117,11 @@ CLI::Option* accepts(CLI::Option* option, std::string const& expected, Rule rule
 }
 
 CLI::Option* oncePerKey(CLI::Option* option) {
-    CLI::Validator validator([](std::string&) { return std::string(); }, "");
-    validator.active(false);
-    return option->check(validator, keyName);
+    return marked(option, keyName);
+}
+
+CLI::Option* oncePerPath(CLI::Option* option) {
+    return marked(option, pathName);
 }
 
 std::optional<std::string> faultIn(CLI::App& command) {

@@ -27,6 +27,8 @@ CLI::Option* accepts(CLI::Option* option, std::string const& expected, Rule rule
 
 /// The options whose values are "KEY=VALUE": each key may be stated once. Use it besides accepts().
 CLI::Option* oncePerKey(CLI::Option* option);
+/// The options whose values are files or folders: each may be stated once, however its path is spelled.
+CLI::Option* oncePerPath(CLI::Option* option);
 
 /// What is wrong with the options that a command line states for this command, the first fault in the order
 /// in which the command lists its options: a flag, or an option with one value, that is stated twice; the

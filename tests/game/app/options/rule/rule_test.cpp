@@ -125,6 +125,28 @@ TEST_F(EveryOption, RefusesToBeStatedTwice) {
     }
 }
 
+// "level.json", "./level.json" and a link to it are the same file.
+TEST_F(EveryOption, RefusesAPathThatIsStatedInAnotherSpelling) {
+    namespace fs = std::filesystem;
+    int paths = 0;
+    for (TestedOption const& option : options) {
+        fs::path const first = option.list ? option.right.front() : std::string();
+        if (first.empty() || !fs::exists(first) || option.name == "--trust") {
+            continue;
+        }
+        ++paths;
+        for (std::string const& second : {(first.parent_path() / "." / first.filename()).string(),
+                                          (first.parent_path() / "absent" / ".." / first.filename()).string(),
+                                          first.parent_path().string() + "//" + first.filename().string()}) {
+            std::vector<std::string> so = option.with(first.string());
+            std::vector<std::string> const again = option.with(second);
+            so.insert(so.end(), again.begin(), again.end());
+            expectRefused(option, so, second, "in another spelling");
+        }
+    }
+    EXPECT_GT(paths, 10) << "LEVEL and --mod of the commands";
+}
+
 TEST_F(EveryOption, RefusesWrongValues) {
     for (TestedOption const& option : options) {
         for (Wrong const& wrong : option.wrong) {
