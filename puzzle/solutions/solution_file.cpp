@@ -1,6 +1,7 @@
 #include "puzzle/solutions/solution_file.hpp"
 
 #include "runtime/level/json/add_problem.hpp"
+#include "runtime/level/json/refuse_file.hpp"
 #include "runtime/level/json/suggestion.hpp"
 #include "runtime/level/model/change_fault.hpp"
 #include "runtime/level/read/solutions/check_inputs.hpp"
@@ -40,6 +41,9 @@ Solution findOrLoadSolution(Registry const& registry, LevelFile const& level, st
     }
     std::error_code error;
     if (!std::filesystem::exists(nameOrFile, error)) {
+        if (error) { // it may be there
+            refuseFile(nameOrFile, fmt::format("cannot be read: {}", error.message()), "");
+        }
         std::vector<std::string> names;
         for (Solution const& solution : level.solutions) {
             names.push_back(solution.name);

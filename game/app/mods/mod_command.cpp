@@ -114,11 +114,12 @@ Overlooked overlookedIn(lua::Mod const& mod, Problems& problems) {
 }
 
 /// The folder that is meant by a path or by the name of an installed mod; empty if there is none. Adds the
-/// names of the installed mods to `known`.
+/// names of the installed mods to `known`; `error`: why it is not known whether there is a folder of that
+/// path.
 fs::path folderOf(std::string const& name, std::vector<std::string> const& folders,
-                  std::vector<std::string>& known) {
-    std::error_code error;
+                  std::vector<std::string>& known, std::error_code& error) {
     if (fs::exists(fs::path(name) / "mod.json", error)) {
+        error.clear();
         fs::path const stated = fs::absolute(name, error).lexically_normal(); // "." has no name
         return stated.has_filename() ? stated : stated.parent_path();
     }
@@ -133,9 +134,12 @@ fs::path folderOf(std::string const& name, std::vector<std::string> const& folde
 
 Fault faultOfMod(ModArguments const& arguments, std::string const& name) {
     std::vector<std::string> known;
-    return folderOf(name, arguments.folders, known).empty()
-               ? Fault("there is no such mod" + didYouMean(name, known))
-               : std::nullopt;
+    std::error_code error;
+    if (!folderOf(name, arguments.folders, known, error).empty()) {
+        return std::nullopt;
+    }
+    return error ? Fault("cannot be read: " + error.message())
+                 : Fault("there is no such mod" + didYouMean(name, known));
 }
 
 std::string counted(std::size_t count, std::string_view noun) {
@@ -258,8 +262,8 @@ std::size_t printNeverApplied(GameData const& gameData, lua::Mod const& mod,
 int checkMod(ModArguments const& arguments) {
     std::vector<std::string> known;
     std::error_code error;
-    fs::path const folder =
-        fs::absolute(folderOf(arguments.name, arguments.folders, known), error).lexically_normal();
+    fs::path const named = folderOf(arguments.name, arguments.folders, known, error);
+    fs::path const folder = fs::absolute(named, error).lexically_normal();
     std::string const name = folder.filename().string();
     std::vector<std::string> folders = arguments.folders;
     folders.insert(folders.begin(), folder.parent_path().string());

@@ -41,6 +41,13 @@ TEST_F(Mods, ANewModIsGood) {
     EXPECT_TRUE(contains(listed.out, "(Dynamics <- Wind)")) << "and the mods that come with the program";
 }
 
+TEST_F(Mods, ThatCannotBeLookedAtAreNotCalledMissing) {
+    Ran const checked = run({"mod", "check", std::string(300, 'm')});
+    EXPECT_EQ(checked.status, 2);
+    EXPECT_TRUE(contains(checked.err, "cannot be read: File name too long")) << checked.err;
+    EXPECT_TRUE(contains(run({"mod", "check", "absent"}).err, "there is no such mod"));
+}
+
 // A check says nothing good of what it has not looked at.
 TEST_F(Mods, FilesThatNothingLooksAtAreWarnedOf) {
     makeMod("my-mod", folder.string());
