@@ -24,6 +24,45 @@ std::set<std::string> namesIn(Json const& object, char const* key) {
     return names;
 }
 
+SolutionKind kindIn(Json const& entry) {
+    return {namesIn(entry, "parts"), namesIn(entry, "actions"), namesIn(entry, "causes")};
+}
+
+Json written(SolutionKind const& kind) {
+    return Json{{"parts", kind.parts}, {"actions", kind.actions}, {"causes", kind.causes}};
+}
+
+/// Whether there is more in an entry than a kind, which would be lost if it were written again.
+bool hasMore(Json const& entry) {
+    return !entry.is_object() || std::any_of(entry.items().begin(), entry.items().end(), [](auto const& one) {
+        return one.key() != "parts" && one.key() != "actions" && one.key() != "causes";
+    });
+}
+
+/// The kinds with what the entries that are there have besides.
+Json kindsWith(Json const& there, std::vector<SolutionKind> const& kinds) {
+    Json all = Json::array();
+    std::vector<bool> used(there.size(), false);
+    for (SolutionKind const& kind : kinds) {
+        Json const plain = written(kind);
+        std::size_t at = 0;
+        while (at < there.size() &&
+               (used[at] || !there[at].is_object() || written(kindIn(there[at])) != plain)) {
+            ++at;
+        }
+        if (at < there.size()) {
+            used[at] = true;
+        }
+        all.push_back(at < there.size() ? there[at] : plain);
+    }
+    for (std::size_t at = 0; at < there.size(); ++at) {
+        if (!used[at] && hasMore(there[at])) {
+            all.push_back(there[at]);
+        }
+    }
+    return all;
+}
+
 } // namespace
 
 int LevelProgress::stars() const {
@@ -71,40 +110,56 @@ void CampaignProgress::add(CampaignProgress const& other) {
 }
 
 Json CampaignProgress::written() const {
-    Json all = Json::object();
+    return writtenInto(Json::object());
+}
+
+Json CampaignProgress::writtenInto(Json present) const {
+    if (!present.is_object()) {
+        present = Json::object();
+    }
     for (auto const& [id, level] : levels_) {
         if (!level.solved) {
             continue;
         }
-        Json kinds = Json::array();
-        for (SolutionKind const& kind : level.kinds) {
-            kinds.push_back(Json{{"parts", kind.parts}, {"actions", kind.actions}, {"causes", kind.causes}});
+        Json& there = present[pathAsText(id)];
+        if (!there.is_object()) {
+            there = Json::object();
         }
-        all[pathAsText(id)] = Json{{"kinds", std::move(kinds)}};
+        Json& kinds = there["kinds"];
+        bool const understood = kinds.is_null() || kinds.is_array();
+        if (understood || !level.kinds.empty()) {
+            kinds = kindsWith(kinds.is_array() ? kinds : Json::array(), level.kinds);
+        }
     }
-    return all;
+    return present;
 }
 
-void CampaignProgress::read(Json const& stated) {
+std::vector<std::string> CampaignProgress::read(Json const& stated) {
+    std::vector<std::string> damaged;
     if (!stated.is_object()) {
-        return;
+        return damaged;
     }
     for (auto const& [text, level] : stated.items()) {
         if (!level.is_object()) {
+            damaged.push_back(text);
             continue;
         }
         std::string const id = pathFromText(text);
         markSolved(id);
         auto const kinds = level.find("kinds");
-        if (kinds == level.end() || !kinds->is_array()) {
-            continue;
-        }
-        for (Json const& kind : *kinds) {
+        bool whole = kinds == level.end() || kinds->is_array();
+        for (Json const& kind : kinds != level.end() && whole ? *kinds : Json::array()) {
             if (kind.is_object()) {
-                addKind(id, {namesIn(kind, "parts"), namesIn(kind, "actions"), namesIn(kind, "causes")});
+                addKind(id, kindIn(kind));
+            } else {
+                whole = false;
             }
         }
+        if (!whole) {
+            damaged.push_back(text);
+        }
     }
+    return damaged;
 }
 
 } // namespace trembler

@@ -42,9 +42,12 @@ public:
 
     /// {"LEVEL": {"kinds": [{"parts": [..], "actions": [..], "causes": [..]}]}} of the solved levels.
     [[nodiscard]] nlohmann::ordered_json written() const;
+    /// The same with what `present`, such a text, has besides: entries and members that this version does not
+    /// know, as a newer one may have written them, and entries that it does not understand.
+    [[nodiscard]] nlohmann::ordered_json writtenInto(nlohmann::ordered_json present) const;
     /// Adds the entries of a text that written() has made. Ignores entries that are damaged: they must not
-    /// affect the others.
-    void read(nlohmann::ordered_json const& stated);
+    /// affect the others. Returns the ids of their levels, as the text states them.
+    std::vector<std::string> read(nlohmann::ordered_json const& stated);
 
 private:
     std::map<std::string, LevelProgress> levels_;

@@ -76,6 +76,9 @@ GameApp::GameApp(render::Window& window, Registry const& registry, PartLibrary c
     for (std::string& trouble : moveDamagedAside(options.damagedParts)) {
         troubles.push_back(std::move(trouble));
     }
+    if (options.nowhere) {
+        troubles.emplace_back(text("kept.nowhere"));
+    }
     for (std::string const& trouble : troubles) {
         context_.toasts.add(trouble, render::ToastKind::Trouble, 12);
     }

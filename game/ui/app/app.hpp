@@ -23,6 +23,7 @@ struct GameOptions {
     std::filesystem::path levels;         ///< folder of the levels to choose from
     std::filesystem::path pictures = "."; ///< folder for clips and pictures
     std::filesystem::path profile;        ///< file of settings and progress; empty: nothing is kept
+    bool nowhere = false;                 ///< the player has no folder to keep it in, which is said
     WorldOptions world;
     Loudspeaker* loudspeaker = nullptr;        ///< must outlive the game; nullptr: it is silent
     bool steady = false;                       ///< disables blinking, for tests

@@ -136,6 +136,7 @@ int playInWindow(GameData const& gameData, PlayOptions const& options) {
                 {.levels = gameData.home / "levels",
                  .pictures = options.pictures.empty() ? usualPicturesFolder() : options.pictures,
                  .profile = Profile::usualFile(),
+                 .nowhere = Profile::usualFile().empty(),
                  .world = options.world,
                  .loudspeaker = &loudspeaker,
                  .levelData = options.levelData,

@@ -21,6 +21,44 @@ TEST(Progress, OfLevelsWhosePathsAreNotUtf8StaysApart) {
     EXPECT_FALSE(again.of("l\xf6vel.json").solved);
 }
 
+TEST(Progress, NamesTheLevelsWhoseEntriesAreDamaged) {
+    CampaignProgress progress;
+    EXPECT_EQ(progress.read(nlohmann::ordered_json::parse(
+                  R"({"a": 5, "b": {"kinds": []}, "c": "solved", "d": {"kinds": 3}, "e": {},
+                      "f": {"kinds": [7, {"parts": ["x"]}]}})")),
+              (std::vector<std::string>{"a", "c", "d", "f"}));
+    for (char const* const solved : {"b", "d", "e", "f"}) {
+        EXPECT_TRUE(progress.of(solved).solved) << solved;
+    }
+    EXPECT_FALSE(progress.of("a").solved);
+    EXPECT_EQ(progress.of("f").kinds.size(), 1U);
+}
+
+// A newer version may have written more than this one knows.
+TEST(Progress, WritesWhatItDoesNotKnowAgain) {
+    auto const present = nlohmann::ordered_json::parse(
+        R"({"a": 5, "new": true,
+            "b": {"when": 3, "kinds": [{"parts": ["x"], "actions": [], "causes": [], "grace": 2}, "odd",
+                                       {"parts": ["x"], "actions": [], "causes": [], "grace": 9}]},
+            "d": {"kinds": 3}})");
+    CampaignProgress progress;
+    (void)progress.read(present);
+    EXPECT_EQ(progress.writtenInto(present), present);
+    // What is new is added.
+    ASSERT_TRUE(progress.addKind("b", {{"y", "z"}, {"pull"}, {}}));
+    progress.markSolved("a");
+    auto const later = progress.writtenInto(present);
+    EXPECT_EQ(later["b"]["when"], 3);
+    ASSERT_EQ(later["b"]["kinds"].size(), 4U);
+    EXPECT_EQ(later["b"]["kinds"][0]["grace"], 2);
+    EXPECT_EQ(later["b"]["kinds"][1]["parts"], (nlohmann::ordered_json{"y", "z"}));
+    EXPECT_EQ(later["b"]["kinds"][2], "odd");
+    EXPECT_EQ(later["b"]["kinds"][3]["grace"], 9);
+    EXPECT_EQ(later["a"], nlohmann::ordered_json::parse(R"({"kinds": []})"));
+    EXPECT_EQ(later["new"], true);
+    EXPECT_EQ(progress.writtenInto(later), later) << "once is enough";
+}
+
 TEST(Progress, NeverHasFewerStarsThanEitherPart) {
     std::mt19937 random(3);
     auto const any = [&](std::uint32_t below) { return static_cast<std::uint32_t>(random() % below); };

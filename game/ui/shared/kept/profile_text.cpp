@@ -3,6 +3,7 @@
 #include "game/ui/shared/texts.hpp"
 #include "game/ui/shared/words.hpp"
 #include "runtime/file/kept_file.hpp"
+#include "runtime/file/visible_text.hpp"
 
 #include <algorithm>
 #include <array>
@@ -83,6 +84,22 @@ void readKeys(Json const& profile, ProfileEntries& read) {
                 read.values[name] = {nullptr, timeIn(profile, name)};
             }
         }
+    }
+}
+
+/// A sentence for each level whose stars are damaged; of many levels for the first ones.
+void readDamagedStars(Json const& profile, ProfileEntries& read) {
+    constexpr std::size_t most = 3;
+    Json const* const levels = memberOf(profile, progressKey);
+    std::vector<std::string> const damaged =
+        levels == nullptr ? std::vector<std::string>() : CampaignProgress().read(*levels);
+    for (std::size_t i = 0; i < std::min(damaged.size(), most); ++i) {
+        read.troubles.emplace_back(
+            [level = visible(damaged[i])] { return textWith("kept.stars_not_read", level); });
+    }
+    if (damaged.size() > most) {
+        read.troubles.emplace_back(
+            [more = damaged.size() - most] { return textWith("kept.more_stars_not_read", more); });
     }
 }
 
@@ -188,6 +205,7 @@ ProfileEntries readProfile(std::string_view text) {
     }
     readKeys(all, read);
     read.progress = progressOf(all);
+    readDamagedStars(all, read);
     return read;
 }
 
@@ -226,17 +244,7 @@ Json withAdded(Json present, TimedValues const& values, CampaignProgress const& 
     CampaignProgress all = progressOf(present);
     all.add(progress);
     Json& levels = present[progressKey];
-    if (!levels.is_object()) {
-        levels = Json::object();
-    }
-    Json const written = all.written(); // outlives the loop over it
-    for (auto const& [id, level] : written.items()) {
-        Json& there = levels[id];
-        if (!there.is_object()) {
-            there = Json::object();
-        }
-        there.update(level);
-    }
+    levels = all.writtenInto(std::move(levels));
     return present;
 }
 

@@ -37,6 +37,17 @@ std::size_t colours(render::Image const& image) {
     return seen.size();
 }
 
+// Stars that are gone at the next start must not come as a surprise.
+TEST(Program, SaysThatNothingIsKeptWithoutAHome) {
+    for (bool const nowhere : {false, true}) {
+        GameOptions options{.levels = levelsFolder()};
+        options.nowhere = nowhere;
+        options.catalog = &gameLevels();
+        GameApp app(window(), gameData().registry, gameData().parts, options);
+        EXPECT_EQ(app.context().toasts.troubles(), nowhere ? 1U : 0U);
+    }
+}
+
 TEST(Program, ALevelIsChosenOnTheTitleScreen) {
     Player player;
     player.drawEveryPicture(); // title, level and menus one after the other, as on a player's screen

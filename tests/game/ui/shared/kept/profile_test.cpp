@@ -64,6 +64,28 @@ TEST_F(ProfileFile, ADamagedEntryIsReportedAndTheOthersAreKept) {
     }
 }
 
+TEST_F(ProfileFile, DamagedStarsAreNamedAndStay) {
+    auto const file = written(R"({"progress": {"plain": 5, "x": "solved", "good": {"kinds": []}}})");
+    {
+        Profile profile(file);
+        ASSERT_EQ(profile.troubles().size(), 2U);
+        EXPECT_NE(profile.troubles()[0].find("plain"), std::string::npos) << profile.troubles()[0];
+        EXPECT_NE(profile.troubles()[1].find("\"x\""), std::string::npos) << profile.troubles()[1];
+        EXPECT_TRUE(profile.solved("good"));
+        profile.markSolved("x");
+    }
+    auto const all = nlohmann::json::parse(textOfFile(file));
+    EXPECT_EQ(all["progress"]["plain"], 5) << "a newer version may understand it";
+    EXPECT_TRUE(all["progress"]["x"].is_object());
+    std::string many;
+    for (int i = 0; i < 1000; ++i) {
+        many += (many.empty() ? "" : ", ") + ("\"" + std::to_string(i) + "\": 0");
+    }
+    Profile const profile(written(R"({"progress": {)" + many + "}}"));
+    ASSERT_EQ(profile.troubles().size(), 4U);
+    EXPECT_NE(profile.troubles()[3].find("997"), std::string::npos) << profile.troubles()[3];
+}
+
 TEST_F(ProfileFile, TheGameReportsTheErrorAndContinues) {
     auto const file = written(R"({"keys": {"hint": ["P"], "run": ["F5"], "save": 3}})");
     Player player({1280, 720}, file);
