@@ -9,6 +9,8 @@
 
 #include <cerrno>
 #include <fstream>
+#include <string>
+#include <sys/stat.h>
 #include <vector>
 
 namespace trembler {
@@ -58,6 +60,21 @@ TEST_F(KeptBuild, IsThereAgainInTheNextSession) {
     session.putAllBack();
     keeper.finish(session);
     EXPECT_FALSE(fs::exists(builds.fileOf("first/1"))) << "nothing built, nothing kept";
+}
+
+TEST_F(KeptBuild, ThatCannotBeReadIsNamed) {
+    fs::create_directories(folder);
+    ASSERT_EQ(::mkfifo(builds.fileOf("x").c_str(), 0600), 0);
+    Session session(gameData().registry, gameData().parts, level());
+    EXPECT_EQ(builds.restore("x", session), 0);
+    std::vector<InputError> const notRead = builds.takeNotRead();
+    ASSERT_EQ(notRead.size(), 1U);
+    EXPECT_NE(std::string(notRead.front().what()).find(builds.fileOf("x").string() + ": is no ordinary file"),
+              std::string::npos)
+        << notRead.front().what();
+    EXPECT_TRUE(builds.takeNotRead().empty()) << "once";
+    EXPECT_EQ(builds.restore("y", session), 0);
+    EXPECT_TRUE(builds.takeNotRead().empty()) << "none is there";
 }
 
 TEST_F(KeptBuild, WhatNoLongerFitsIsLeftOut) {

@@ -3,6 +3,7 @@
 #include "tests/game/ui/edit/editor_kit.hpp"
 
 #include <fstream>
+#include <sys/stat.h>
 
 namespace trembler::ui::test {
 namespace {
@@ -30,6 +31,26 @@ TEST(SavedSolutionsList, HasAThousandAtMostAndLeavesTheRestInTheirFiles) {
     }
     EXPECT_EQ(saved.of("a level").size(), 1000U);
     EXPECT_EQ(std::distance(fs::directory_iterator(place), {}), files - 4);
+    fs::remove_all(folder);
+}
+
+TEST(SavedSolutionsList, NamesAFileThatCannotBeReadOnce) {
+    namespace fs = std::filesystem;
+    fs::path const folder = testFolder() / "unread-solutions";
+    fs::remove_all(folder);
+    SavedSolutions saved(folder);
+    Solution solution;
+    solution.name = "good";
+    fs::path const pipe = saved.save("a level", solution).parent_path() / "solution-2.json";
+    ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+    for (int i = 0; i < 3; ++i) { // a list is drawn again and again
+        EXPECT_EQ(saved.of("a level").size(), 1U);
+    }
+    std::vector<InputError> const notRead = saved.takeNotRead();
+    ASSERT_EQ(notRead.size(), 1U);
+    EXPECT_NE(std::string(notRead.front().what()).find(pipe.string() + ": is no ordinary file"),
+              std::string::npos)
+        << notRead.front().what();
     fs::remove_all(folder);
 }
 
