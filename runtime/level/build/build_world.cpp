@@ -6,6 +6,7 @@
 #include "runtime/level/build/object_rules.hpp"
 #include "runtime/level/build/part_expander.hpp"
 #include "runtime/level/build/placed_pieces.hpp"
+#include "runtime/level/build/property_bytes.hpp"
 #include "runtime/level/build/references.hpp"
 #include "runtime/level/json/add_problem.hpp"
 #include "runtime/level/json/limits.hpp"
@@ -113,8 +114,13 @@ public:
             }
         }
         for (Made& made : made_) {
-            if (made.id.valid()) {
-                furnish(store, made);
+            if (made.id.valid() && !furnish(store, made)) {
+                problem(made.path,
+                        fmt::format(
+                            "the texts and lists in the properties of all objects take more than {} bytes",
+                            allowance_.most()),
+                        "fewer or simpler objects");
+                return;
             }
         }
     }
@@ -222,8 +228,12 @@ private:
         return diagnostic(*scope, path + inside, std::move(message), std::move(expected));
     }
 
-    void furnish(Store& store, Made& made) {
+    /// Returns false if all objects so far hold too much.
+    [[nodiscard]] bool furnish(Store& store, Made& made) {
         PropertySet properties = made.object.properties();
+        if (!allowance_.take(properties)) {
+            return false;
+        }
         for (PropertySet::Entry const& entry : properties.entries()) {
             StatementScope const& scope = *made.object.determining(*entry.info)->scope;
             for (DanglingReference const& dangling :
@@ -241,6 +251,7 @@ private:
         if (std::vector<std::string> without = made.object.without(); !without.empty()) {
             store.column<Without>().set(made.id, {std::move(without)});
         }
+        return true;
     }
 
     [[nodiscard]] std::vector<std::string> objectNames() const {
@@ -257,6 +268,7 @@ private:
     Problems& problems_;
     StatementScope const scope_{&level_.names, "", nullptr}; ///< of the level
     PartExpander expander_;
+    PropertyAllowance allowance_;
     std::deque<LevelObject> placed_; ///< entries of the placements
     std::vector<Made> made_;         ///< in the order in which they are created
     std::vector<std::pair<std::string, std::string>> aliases_;
