@@ -48,7 +48,16 @@ std::string ManifestFields::text(json const& table, char const* key, bool requir
         complain(key, fmt::format("'{}' is no text of 1 to {} bytes", key, longest), "a text");
         return {};
     }
-    return table[key].get<std::string>();
+    auto stated = table[key].get<std::string>();
+    // Lists, logs and messages show it in a line; what is behind a line end could pass for their own words.
+    if (std::any_of(stated.begin(), stated.end(), [](char letter) {
+            auto const code = static_cast<unsigned char>(letter);
+            return code < 0x20 || code == 0x7f;
+        })) {
+        complain(key, fmt::format("'{}' has a line end or another control character", key), "one line");
+        return {};
+    }
+    return stated;
 }
 
 bool ManifestFields::flag(json const& table, char const* key) const {

@@ -51,6 +51,20 @@ std::string with(std::string const& from, std::string const& to) {
     return changed;
 }
 
+TEST(Manifest, HasItsTextsInOneLine) {
+    for (auto const& [from, to] :
+         {std::pair{"\"Dynamics <- Wind\"", R"("Dynamics <- Wind\nforged")"},
+          std::pair{"\"Blows.\"", R"("Blows.\rforged")"}, std::pair{"\"m/s\"", R"("m/s\0")"},
+          std::pair{"\"How hard it blows\"", R"("How hard\127it blows")"}}) {
+        std::string const problems = problemsOf(with(from, to));
+        EXPECT_NE(problems.find("has a line end or another control character; expected one line"),
+                  std::string::npos)
+            << to << "\n"
+            << problems;
+    }
+    EXPECT_EQ(problemsOf(with("\"Blows.\"", "\"Bläst – stark.\"")), "");
+}
+
 TEST(Manifest, IsReadWhole) {
     Problems problems;
     Manifest const manifest = readManifest(good, "wind.lua", problems);
