@@ -8,11 +8,13 @@
 #include "game/ui/play/view/level_extents.hpp"
 #include "game/ui/play/whatif/what_if_card.hpp"
 #include "game/ui/play/whatif/what_if_lane.hpp"
+#include "game/ui/play/why/why_drawing.hpp"
 #include "game/ui/shared/texts.hpp"
 #include "game/ui/shared/words.hpp"
 #include "render/draw/palette.hpp"
 #include "render/panels/theme.hpp"
 #include "render/scene/areas.hpp"
+#include "render/scene/facts/shape_geometry.hpp"
 
 #include <algorithm>
 #include <stdexcept>
@@ -80,6 +82,38 @@ bool inspectorAtLeft(PlayParts& parts, bool mayBeLeft, float width, float right)
     return side.left;
 }
 
+/// How much of these objects lies under a card of the window's height, square pixels at UI scale 1.
+double covered(PlayParts const& parts, std::vector<ObjectId> const& objects, float left) {
+    World const& world = parts.session.world();
+    auto const scale = static_cast<double>(parts.context.window.uiScale());
+    double sum = 0;
+    for (ObjectId const object : objects) {
+        Shape const* const shape = world.find<Shape>(object);
+        if (shape == nullptr) {
+            continue;
+        }
+        Rect const rect =
+            onScreen(parts.camera(), render::extentOf(*shape, parts.scene.poseOf(world, object)));
+        double const low = std::max(rect.low.x / scale, static_cast<double>(left));
+        double const high = std::min(rect.high.x / scale, static_cast<double>(left + inspectorWidth));
+        sum += std::max(high - low, 0.0) * (rect.high.y - rect.low.y) / scale;
+    }
+    return sum;
+}
+
+/// Whether the card that says why stands at the left: there it covers less of what it explains.
+bool whyAtLeft(PlayParts& parts, bool mayBeLeft, float width, float right) {
+    WhySide& side = parts.whySide;
+    std::vector<ObjectId> of =
+        mayBeLeft ? objectsOfStep(parts.why, parts.shownWorld()) : std::vector<ObjectId>();
+    render::Size const window = parts.context.window.size();
+    if (side.of != of || side.window != window) {
+        bool const less = covered(parts, of, cardGap) < covered(parts, of, width - right - inspectorWidth);
+        side = {std::move(of), window, mayBeLeft && less};
+    }
+    return side.left;
+}
+
 /// In a small window a panel takes the place of the goal or the toolbox, and is hidden behind cards that the
 /// player must see or has opened later. The toolbox keeps its place while something is built: what is
 /// inspected or explained stands beside it.
@@ -101,8 +135,12 @@ Beside cardsBeside(PlayParts& parts) {
     beside.goal = !beside.panels || height >= leastForGoalAndPanel;
     beside.toolbox = building && (!beside.panels || width >= panelsWidth + box + 2 * cardGap);
     beside.right = beside.toolbox ? cardGap + box : cardGap;
-    bool const leftIsFree = !beside.panels && !parts.why.open() && !worksOnPast(parts);
-    bool const left = inspectorAtLeft(parts, building && leftIsFree, width, beside.right) && leftIsFree;
+    bool const leftIsFree = !beside.panels && !worksOnPast(parts);
+    bool const why = whyAtLeft(parts, building && leftIsFree && parts.why.open(), width, beside.right);
+    bool const inspector =
+        inspectorAtLeft(parts, building && leftIsFree && !parts.why.open(), width, beside.right) &&
+        !parts.why.open();
+    bool const left = (why || inspector) && leftIsFree;
     beside.right = left ? width - cardGap - inspectorWidth : beside.right;
     bool const holds = parts.placing.carried() || parts.group.dragging();
     float const roomForHints = 2 * cardGap + goalCardWidth + (inspects ? inspectorWidth + beside.right : 0);

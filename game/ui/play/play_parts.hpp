@@ -52,6 +52,13 @@ struct InspectorSide {
     bool left = false;
 };
 
+/// The same of the card that says why, while something is built: for these objects.
+struct WhySide {
+    std::vector<ObjectId> of;
+    render::Size window;
+    bool left = false;
+};
+
 /// Each part keeps its own state, which is not copied; here is only state that concerns several parts. Window
 /// thread only; the context must outlive it.
 struct PlayParts {
@@ -118,6 +125,7 @@ struct PlayParts {
     bool hintsHidden = false;      ///< other cards have left no room for the one that would be shown
     std::optional<bool> storyOpen; ///< the player's choice, see GoalCardLook
     InspectorSide inspectorSide;
+    WhySide whySide;
     bool fitWanted = false; ///< the view is to show everything beside all cards, see FittedView
     bool testPlay = false;  ///< of a level that is being edited
     float besideCorner = 0; ///< width of what else stands beside the buttons in the corner, at UI scale 1

@@ -461,6 +461,46 @@ TEST(WhyPanel, SpeaksGerman) {
     player.look("why-german");
 }
 
+// Of both sides the card takes the one at which it hides less of what it is about.
+TEST(WhyPanel, LeavesWhatItExplainsInSight) {
+    for (render::Size const size : {render::Size{640, 480}, render::Size{800, 600}, render::Size{1024, 768},
+                                    render::Size{1280, 720}, render::Size{1280, 800}}) {
+        Player player(size);
+        fail(player);
+        player.key(SDLK_r); // build again
+        player.frames(30);
+        ASSERT_EQ(player.session().mode(), SessionMode::building);
+        player.key(SDLK_y, KMOD_LSHIFT);
+        waitForAnswer(player);
+        std::string const where = std::to_string(size.width) + " x " + std::to_string(size.height);
+        auto const card = player.layout().card("why");
+        ASSERT_TRUE(card) << where;
+        World const& world = player.session().world();
+        auto const hidden = [&](double left, double right) {
+            int count = 0;
+            for (char const* const name : {"left contact", "right contact"}) {
+                ObjectId const object = world.store().find(name);
+                EXPECT_TRUE(object.valid()) << name;
+                Point const at = player.at(world.find<Position>(object)->value);
+                count += at.x > left && at.x < right ? 1 : 0;
+            }
+            return count;
+        };
+        double const width = card->high.x - card->low.x;
+        int const here = hidden(card->low.x, card->high.x);
+        double const gap = 16 * static_cast<double>(window().uiScale());
+        EXPECT_LE(here, hidden(gap, gap + width)) << where;
+        if (size.width >= 1024) {
+            EXPECT_EQ(here, 0) << where;
+        }
+        auto const box = player.layout().card("toolbox");
+        ASSERT_TRUE(box) << where;
+        EXPECT_FALSE(box->overlaps(*card)) << where;
+        expectTidy(player, "why, to build at " + where);
+        player.look("why-not-building-" + std::to_string(size.width) + "x" + std::to_string(size.height));
+    }
+}
+
 TEST(WhyPanel, FitsInEveryWindow) {
     for (render::Size const size : {render::Size{800, 600}, render::Size{1024, 768}, render::Size{1280, 720},
                                     render::Size{1920, 1080}, render::Size{3840, 2160}}) {
