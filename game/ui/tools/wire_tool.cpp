@@ -122,10 +122,14 @@ bool WireTool::update(Pointer const& pointer, ObjectId hovered) {
         to_ = hovered;
         why_ = whyNotTo(hovered);
     }
-    // Only the release of the press that began the wire: one click gives one answer.
+    bool const clicked = pointer.pressed && !pointer.overCard;
+    if (clicked && hovered == begin) { // it can be dragged from there once more
+        pressedAt_ = pointer.screen;
+        dragging_ = true;
+    }
+    // Only the release of a press at the beginning: one click gives one answer.
     bool const letGo = pointer.released && std::exchange(dragging_, false);
     bool const dragged = letGo && pointer.strayed(pressedAt_) > dragThreshold;
-    bool const clicked = pointer.pressed && !pointer.overCard;
     if (dragged || clicked) {
         if (to_.valid()) {
             finish();

@@ -53,7 +53,8 @@ void JoinTool::look(EditParts const& parts) {
 }
 
 bool JoinTool::press(EditParts& parts) {
-    if (from_.valid()) { // the second click of a wire
+    bool const again = parts.tool == Tool::wire && from_.valid() && under_.object == from_.object;
+    if (from_.valid() && !again) { // the second click of a wire
         finish(parts);
         return false;
     }

@@ -87,7 +87,7 @@ TEST_F(Wiring, AnEndThatIsRefusedLeavesTheWireInTheHand) {
     EXPECT_EQ(from(), "plus") << "after a click";
     player.click(player.at(plus));
     EXPECT_EQ(from(), "plus") << "after a click on the beginning";
-    player.click(player.at(lamp));
+    player.drag(player.at(plus), player.at(lamp)); // from the beginning once more
     EXPECT_EQ(player.session().wires().size(), 1U);
     EXPECT_EQ(from(), "");
     player.click(player.at(plus));

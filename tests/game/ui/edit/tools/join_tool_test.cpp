@@ -197,6 +197,9 @@ TEST_F(Joining, AnEndThatIsRefusedLeavesTheWireInTheHand) {
     designer.click(on("light left"));
     EXPECT_EQ(connections(), Names{"cell plus to light left"});
     EXPECT_FALSE(join().from().valid());
+    designer.drag(on("cell plus"), on("plank"));
+    designer.drag(on("cell plus"), on("light right")); // from the beginning once more
+    EXPECT_EQ(connections().size(), 2U);
     designer.click(on("cell plus"));
     designer.click(on("plank"));
     designer.key(SDLK_ESCAPE);
