@@ -467,7 +467,7 @@ TEST(WhyPanel, LeavesWhatItExplainsInSight) {
                                     render::Size{1280, 720}, render::Size{1280, 800}}) {
         Player player(size);
         fail(player);
-        player.key(SDLK_r); // build again
+        player.key(SDLK_SPACE); // build again
         player.frames(30);
         ASSERT_EQ(player.session().mode(), SessionMode::building);
         player.key(SDLK_y, KMOD_LSHIFT);
