@@ -245,7 +245,7 @@ TEST_F(ProfileFile, WhatTheProgramDoesNotKnowStays) {
         R"({"later": {"x": [1]}, "volume": "loud", "keys": {"run": 7}, "solved": ["old"],
             "progress": {"a": {"kinds": [], "medal": true}, "b": 3}})");
     Profile profile(file);
-    EXPECT_EQ(profile.troubles().size(), 2U) << "the volume and the keys";
+    EXPECT_EQ(profile.troubles().size(), 3U) << "the volume, the keys and the stars of b";
     EXPECT_TRUE(profile.solved("old") && profile.solved("a"));
     profile.markSolved("c");
     auto const all = nlohmann::json::parse(textOfFile(file));
