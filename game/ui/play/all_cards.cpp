@@ -17,8 +17,12 @@
 #include "render/scene/facts/shape_geometry.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 #include <stdexcept>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace trembler::ui {
 namespace {
@@ -82,34 +86,50 @@ bool inspectorAtLeft(PlayParts& parts, bool mayBeLeft, float width, float right)
     return side.left;
 }
 
-/// How much of these objects lies under a card of the window's height, square pixels at UI scale 1.
-double covered(PlayParts const& parts, std::vector<ObjectId> const& objects, float left) {
-    World const& world = parts.session.world();
-    auto const scale = static_cast<double>(parts.context.window.uiScale());
+/// How much of what the answer is about a card at `card` hides, square pixels: objects, and gaps with some
+/// room around them, in which the player has to do something.
+double hiddenBy(PlayParts const& parts, std::vector<ObjectId> const& objects, Rect const& card) {
+    constexpr double room = 20; // pixels at UI scale 1
+    double const around = room * static_cast<double>(parts.context.window.uiScale());
     double sum = 0;
+    auto const add = [&](render::Extent const& extent, double wider) {
+        Rect const rect = onScreen(parts.camera(), extent);
+        double const width =
+            std::min(rect.high.x + wider, card.high.x) - std::max(rect.low.x - wider, card.low.x);
+        double const height =
+            std::min(rect.high.y + wider, card.high.y) - std::max(rect.low.y - wider, card.low.y);
+        sum += std::max(width, 0.0) * std::max(height, 0.0);
+    };
+    World const& world = parts.session.world();
     for (ObjectId const object : objects) {
-        Shape const* const shape = world.find<Shape>(object);
-        if (shape == nullptr) {
-            continue;
+        if (Shape const* const shape = world.find<Shape>(object)) {
+            add(render::extentOf(*shape, parts.scene.poseOf(world, object)), 0);
         }
-        Rect const rect =
-            onScreen(parts.camera(), render::extentOf(*shape, parts.scene.poseOf(world, object)));
-        double const low = std::max(rect.low.x / scale, static_cast<double>(left));
-        double const high = std::min(rect.high.x / scale, static_cast<double>(left + inspectorWidth));
-        sum += std::max(high - low, 0.0) * (rect.high.y - rect.low.y) / scale;
+    }
+    for (render::Extent const& gap : gapsOfMiss(parts.why)) {
+        add(gap, around);
     }
     return sum;
 }
 
-/// Whether the card that says why stands at the left: there it covers less of what it explains.
+/// Whether the card that says why stands at the left: there it hides less of what it explains.
 bool whyAtLeft(PlayParts& parts, bool mayBeLeft, float width, float right) {
     WhySide& side = parts.whySide;
+    std::optional<Rect> const shown = parts.context.layout.card("why");
     std::vector<ObjectId> of =
-        mayBeLeft ? objectsOfStep(parts.why, parts.shownWorld()) : std::vector<ObjectId>();
+        mayBeLeft && shown ? objectsOfStep(parts.why, parts.shownWorld()) : std::vector<ObjectId>();
     render::Size const window = parts.context.window.size();
-    if (side.of != of || side.window != window) {
-        bool const less = covered(parts, of, cardGap) < covered(parts, of, width - right - inspectorWidth);
-        side = {std::move(of), window, mayBeLeft && less};
+    double const height = of.empty() ? 0 : shown->high.y - shown->low.y;
+    if (side.of != of || side.window != window || std::abs(side.height - height) > 1) {
+        auto const scale = static_cast<double>(parts.context.window.uiScale());
+        auto const at = [&](float left) {
+            double const low = scale * static_cast<double>(left);
+            double const high = low + scale * static_cast<double>(inspectorWidth);
+            return Rect{{low, shown->low.y}, {high, shown->high.y}};
+        };
+        bool const less = !of.empty() && hiddenBy(parts, of, at(cardGap)) <
+                                             hiddenBy(parts, of, at(width - right - inspectorWidth));
+        side = {std::move(of), window, height, less};
     }
     return side.left;
 }

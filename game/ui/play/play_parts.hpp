@@ -56,6 +56,7 @@ struct InspectorSide {
 struct WhySide {
     std::vector<ObjectId> of;
     render::Size window;
+    double height = 0; ///< of the card, pixels
     bool left = false;
 };
 

@@ -146,6 +146,19 @@ std::vector<ObjectId> objectsOfStep(WhyPanel const& panel, World const& world) {
     return objects;
 }
 
+std::vector<Extent> gapsOfMiss(WhyPanel const& panel) {
+    std::vector<Extent> gaps;
+    if (Miss const* const miss = missOf(panel); panel.open() && miss != nullptr) {
+        forEachLack(*miss, miss->frame, [&](Point from, Point to, double) {
+            Extent gap;
+            gap.add(from);
+            gap.add(to);
+            gaps.push_back(gap);
+        });
+    }
+    return gaps;
+}
+
 void drawWhy(Canvas& canvas, WhyPanel const& panel) {
     if (hasChain(panel)) {
         drawChain(canvas, panel);
