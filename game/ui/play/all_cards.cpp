@@ -119,17 +119,21 @@ bool whyAtLeft(PlayParts& parts, bool mayBeLeft, float width, float right) {
     std::vector<ObjectId> of =
         mayBeLeft && shown ? objectsOfStep(parts.why, parts.shownWorld()) : std::vector<ObjectId>();
     render::Size const window = parts.context.window.size();
-    double const height = of.empty() ? 0 : shown->high.y - shown->low.y;
-    if (side.of != of || side.window != window || std::abs(side.height - height) > 1) {
+    double const top = of.empty() ? 0 : shown->low.y;
+    double const bottom = of.empty() ? 0 : shown->high.y;
+    bool const same = side.of == of && side.window == window && side.top == top && side.bottom == bottom;
+    if (!same) {
+        bool const left = side.left && !of.empty();
+        side = {std::move(of), window, top, bottom, left, false};
+    } else if (!side.chosen) {
         auto const scale = static_cast<double>(parts.context.window.uiScale());
         auto const at = [&](float left) {
             double const low = scale * static_cast<double>(left);
-            double const high = low + scale * static_cast<double>(inspectorWidth);
-            return Rect{{low, shown->low.y}, {high, shown->high.y}};
+            return Rect{{low, top}, {low + scale * static_cast<double>(inspectorWidth), bottom}};
         };
-        bool const less = !of.empty() && hiddenBy(parts, of, at(cardGap)) <
-                                             hiddenBy(parts, of, at(width - right - inspectorWidth));
-        side = {std::move(of), window, height, less};
+        side.left = !of.empty() && hiddenBy(parts, of, at(cardGap)) <
+                                       hiddenBy(parts, of, at(width - right - inspectorWidth));
+        side.chosen = true;
     }
     return side.left;
 }

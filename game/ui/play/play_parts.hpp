@@ -56,8 +56,10 @@ struct InspectorSide {
 struct WhySide {
     std::vector<ObjectId> of;
     render::Size window;
-    double height = 0; ///< of the card, pixels
+    double top = 0;    ///< of the card, pixels
+    double bottom = 0; ///< the same; a card has its final height some pictures after its words have changed
     bool left = false;
+    bool chosen = false; ///< for all of these
 };
 
 /// Each part keeps its own state, which is not copied; here is only state that concerns several parts. Window

@@ -472,6 +472,7 @@ TEST(WhyPanel, LeavesWhatItExplainsInSight) {
         ASSERT_EQ(player.session().mode(), SessionMode::building);
         player.key(SDLK_y, KMOD_LSHIFT);
         waitForAnswer(player);
+        player.frames(8); // until the card has its height
         std::string const where = std::to_string(size.width) + " x " + std::to_string(size.height);
         auto const card = player.layout().card("why");
         ASSERT_TRUE(card) << where;
