@@ -17,7 +17,6 @@
 #include "render/scene/facts/shape_geometry.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <stdexcept>
 #include <string_view>
