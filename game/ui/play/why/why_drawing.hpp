@@ -3,6 +3,7 @@
 
 #include "game/ui/play/why/why_panel.hpp"
 #include "render/draw/canvas.hpp"
+#include "render/scene/facts/shape_geometry.hpp"
 
 #include <vector>
 

@@ -40,7 +40,8 @@ std::size_t colours(render::Image const& image) {
 // Stars that are gone at the next start must not come as a surprise.
 TEST(Program, SaysThatNothingIsKeptWithoutAHome) {
     for (bool const nowhere : {false, true}) {
-        GameOptions options{.levels = levelsFolder()};
+        GameOptions options;
+        options.levels = levelsFolder();
         options.nowhere = nowhere;
         options.catalog = &gameLevels();
         GameApp app(window(), gameData().registry, gameData().parts, options);
