@@ -3,6 +3,7 @@
 #include "physics/dynamics/core/dynamics_resolver.hpp"
 #include "physics/dynamics/engines/box2d/box2d_dynamics.hpp"
 #include "physics/dynamics/engines/chipmunk/chipmunk_dynamics.hpp"
+#include "physics/dynamics/engines/native/native_dynamics.hpp"
 #include "physics/dynamics/engines/ode/ode_dynamics.hpp"
 #include "physics/dynamics/interactions/frame_from_dynamics.hpp"
 #include "physics/dynamics/interactions/from_player.hpp"
@@ -34,6 +35,7 @@ void registerDynamics(Registry& registry) {
     registry.completion<MatterCompletion>();
     registry.completion<BodyCompletion>();
     registry.completion<JointCompletion>();
+    registry.component<DynamicsResolver>(nativeDynamics);
     registry.component<DynamicsResolver>(box2dDynamics);
     registry.component<DynamicsResolver>(chipmunkDynamics);
     registry.component<DynamicsResolver>(odeDynamics);

@@ -120,8 +120,9 @@ public:
     /// touching bodies apart. Off at first. The settings' number is then that which the joints need. Returns
     /// whether it will choose: not every engine does.
     virtual bool chooseSubsteps(bool) { return false; }
-    /// Whether a constant force leads to the exact parabola in any number of substeps.
-    [[nodiscard]] virtual bool exactForConstantForces() const { return false; }
+    /// Whether a constant force leads to the exact parabola in any number of substeps, and one that varies
+    /// from step to step to a motion of second order.
+    [[nodiscard]] virtual bool secondOrder() const { return false; }
     /// Computes the motion for `duration` (s), split into the settings' substeps.
     virtual void step(double duration, DynamicsSettings const& settings) = 0;
     /// The bodies that were awake in the last step, ascending by slot.

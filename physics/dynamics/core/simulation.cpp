@@ -254,7 +254,7 @@ bool Simulation::step(double duration, DynamicsColumns const& columns,
     substep_ = duration / with.substeps;
     // A force that is held throughout acts, on average, half of the time late, unless the engine makes up for
     // some of it.
-    lag_ = {duration, engine_->exactForConstantForces() ? 0 : duration / with.substeps};
+    lag_ = {duration, engine_->secondOrder() ? duration : duration / with.substeps};
     loads_.noteSleepers(*engine_, with.sleeping);
     return true;
 }

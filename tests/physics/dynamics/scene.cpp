@@ -18,7 +18,7 @@ std::vector<std::string> engines() {
 }
 
 std::string& engineUnderTest() {
-    static std::string engine = "box2d";
+    static std::string engine = "native";
     return engine;
 }
 

@@ -40,10 +40,12 @@ struct BodyEntry {
     CollisionGroups groups;
     Damping damping;
     Load load;
-    Vec2 centre;       ///< m
-    double angle = 0;  ///< rad
-    double thin = 0;   ///< m, radius of the largest disc in it, about
-    double extent = 0; ///< m, of its farthest point from the centre of mass
+    Load loadBefore;     ///< that of the last step
+    double lastStep = 0; ///< s, the last step if the body was awake, else 0
+    Vec2 centre;         ///< m
+    double angle = 0;    ///< rad
+    double thin = 0;     ///< m, radius of the largest disc in it, about
+    double extent = 0;   ///< m, of its farthest point from the centre of mass
     std::vector<Convex> pieces;
     bool placed = false; ///< since its contacts were found
     int joints = 0;

@@ -2,6 +2,7 @@
 
 #include "physics/dynamics/engines/native/seams.hpp"
 #include "runtime/component/component.hpp"
+#include "runtime/math/exact_math.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -142,8 +143,10 @@ double IslandSolver::safeTime(Contact const& contact, double remaining) const {
     for (int i = 0; i < 100 && time < remaining; ++i) {
         double const angleA = a.angle + time * stateA.spin;
         double const angleB = b.angle + time * stateB.spin;
-        Pose const atA{{}, std::cos(angleA), std::sin(angleA)};
-        Pose const atB{poseB.at - poseA.at + time * velocity, std::cos(angleB), std::sin(angleB)};
+        CosineAndSine const turnA = exactTurn(angleA);
+        CosineAndSine const turnB = exactTurn(angleB);
+        Pose const atA{{}, turnA.cosine, turnA.sine};
+        Pose const atB{poseB.at - poseA.at + time * velocity, turnB.cosine, turnB.sine};
         double const gap = gapBetween(pieceA, atA, pieceB, atB);
         if (gap <= near) {
             break;
@@ -195,9 +198,29 @@ void IslandSolver::findContacts(double time) {
 // --- a step
 // ---------------------------------------------------------------------------------------------------
 
+void IslandSolver::catchUpLoads() {
+    bool any = false;
+    for (SlotIndex const slot : island_.bodies) {
+        BodyEntry const& entry = engine_.bodies_[slot];
+        Vec2 const force = entry.load.force - entry.loadBefore.force;
+        double const torque = entry.load.torque - entry.loadBefore.torque;
+        if (entry.lastStep == 0 || (force.x == 0 && force.y == 0 && torque == 0)) {
+            continue;
+        }
+        MovingState& state = stateOf(slot);
+        state.velocity += entry.lastStep / 2 * state.inverseMass * force;
+        state.spin += entry.lastStep / 2 * state.inverseInertia * torque;
+        any = true;
+    }
+    if (any) {
+        beginJointedImpacts();
+    }
+}
+
 void IslandSolver::run(double duration) {
     int const substeps = demand(duration);
     h_ = duration / substeps;
+    catchUpLoads();
     int hits = island_.bodies.size() > smallIsland ? 0 : mostHits;
     int intervals = mostIntervals;
     double left = duration;

@@ -30,6 +30,10 @@ public:
     void run(double duration);
 
 private:
+    /// A step knows the loads of its beginning only. When those of its end are known, in the next step,
+    /// velocities get the mean of both: the method of Verlet (L. Verlet 1967), which is of second order and
+    /// symplectic.
+    void catchUpLoads();
     /// Substeps of the step that the island needs.
     [[nodiscard]] int demand(double duration) const;
     /// The time (s), at most `remaining`, for which the contacts that are known now suffice.
@@ -95,6 +99,18 @@ private:
     void bounce(double ahead);
     [[nodiscard]] double approachLimit(ContactRow const& row, double h) const;
     bool strike(ContactRow& row, double slowest);
+    [[nodiscard]] double kineticEnergyNow() const; ///< J
+
+    // jointed_impact.cpp
+    /// To be called before the impacts of one moment. Velocities that joints do not allow are corrected.
+    void beginJointedImpacts();
+    /// Impulses of joints after which the velocities keep the constraints again.
+    void followImpact();
+    /// The speeds at a contact's points after an impulse at one of them, which joints follow; changes
+    /// nothing.
+    [[nodiscard]] std::array<double, 2> speedsAfter(ContactRow const& row, std::size_t point, double impulse);
+    /// Adds the impulses of joints to the forces that break them.
+    void endJointedImpacts();
 
     [[nodiscard]] MovingState& stateOf(SlotIndex slot) { return engine_.states_[slot]; }
     [[nodiscard]] MovingState const& stateOf(SlotIndex slot) const { return engine_.states_[slot]; }
@@ -127,10 +143,12 @@ private:
     };
     std::vector<Memory> memory_; ///< of the bodies before a substep
     std::vector<JointMemory> jointMemory_;
-    int splits_ = 0;             ///< of substeps in this step
-    bool exactContacts_ = false; ///< normal impulses are exact rows, too
-    double h_ = 0;               ///< s, of the usual substep
-    double since_ = 0;           ///< s, since the step's beginning
+    std::vector<double> jointImpulses_; ///< N s, during an impact
+    bool jointsStrike_ = false;         ///< joints take part in the impacts of this moment
+    int splits_ = 0;                    ///< of substeps in this step
+    bool exactContacts_ = false;        ///< normal impulses are exact rows, too
+    double h_ = 0;                      ///< s, of the usual substep
+    double since_ = 0;                  ///< s, since the step's beginning
 };
 
 } // namespace trembler::native

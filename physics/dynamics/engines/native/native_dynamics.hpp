@@ -9,7 +9,7 @@ namespace trembler {
 [[nodiscard]] std::unique_ptr<Engine> makeNativeEngine(double scale);
 
 inline constexpr DynamicsEngine nativeDynamics{
-    .text{.name = "Native Dynamics",
+    .text{.name = "Dynamics",
           .effect = "dynamics",
           .level = "native",
           .work = "Performs both collision detection and rigid body simulation, in double precision, with "
