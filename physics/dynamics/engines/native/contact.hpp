@@ -51,6 +51,7 @@ struct BodyEntry {
     int joints = 0;
     int restlessJoints = 0; ///< motors that must not fall asleep
     double idle = 0;        ///< s, for which it has been slow
+    int troubles = 0;       ///< steps in which its island's joints could not hold; of the island's first body
     double smoothStep = 0;  ///< s, of its island's last smooth motion; of the island's first body
     std::uint32_t nap = 0;  ///< names the group with which it fell asleep
 };

@@ -35,6 +35,10 @@ constexpr std::size_t mostExactContacts = 150;
 constexpr int mostHalvings = 6;
 // Of a step, all together.
 constexpr int mostSplits = 24;
+// Then it may leave joints apart by so much (m or rad), or have so many times the energy that it should,
+// which is taken away.
+constexpr double mostMisfit = 1e-3;
+constexpr double mostBearableGain = 4;
 // A body may move by this share of its thinnest half, or turn by so many rad, before its contacts are found
 // again.
 constexpr double shareOfThin = 0.5;
@@ -225,12 +229,13 @@ void IslandSolver::run(double duration) {
     int intervals = mostIntervals;
     double left = duration;
     rows_.clear();
-    if (!island_.joints.empty()) {
+    relaxes_ = !island_.joints.empty() && beginsRelaxed();
+    if (!island_.joints.empty() && !relaxes_) {
         double const covered = moveSmoothly(duration);
         left = covered < duration ? duration - covered : 0;
         since_ = covered;
     }
-    exactContacts_ = wantsExactContacts();
+    exactContacts_ = !relaxes_ && wantsExactContacts();
     for (bool first = left == duration; left > 1e-12 * duration; first = false) {
         double const span = --intervals > 0 ? interval(left) : left;
         if (!first || span < left) {
@@ -259,6 +264,9 @@ void IslandSolver::run(double duration) {
             }
         }
         left = span < left ? left - span : 0;
+    }
+    if (!island_.joints.empty()) {
+        noteTroubles();
     }
 
     for (ContactRow& row : rows_) {
@@ -615,10 +623,23 @@ int IslandSolver::contactRounds(double h) const {
     return roundsOfStack;
 }
 
+// What is left where a substep cannot be split any more, and is no fault of the equations.
+bool IslandSolver::bearable(double h, int halvings) {
+    if (exactContacts_ || relaxes_ || misfit_ > mostMisfit ||
+        (halvings < mostHalvings && splits_ < mostSplits)) {
+        return false;
+    }
+    double const gain = gainOf(h);
+    if (gain > mostBearableGain) {
+        return false;
+    }
+    takeGainAway(gain);
+    return true;
+}
+
 void IslandSolver::substep(double h, int halvings) {
-    bool const again =
-        exactContacts_ || (!island_.joints.empty() && halvings < mostHalvings && splits_ < mostSplits);
-    if (again) {
+    bool const joined = exactContacts_ || !island_.joints.empty();
+    if (joined && !relaxes_) {
         remember();
     }
     for (SlotIndex const slot : island_.bodies) {
@@ -643,24 +664,28 @@ void IslandSolver::substep(double h, int halvings) {
         move(h);
         solve(false);
         takeGainAway(excess(slowestExcess));
-    } else if (!joinedSubstep(h)) {
-        if (again) {
-            bool const springs = gainOf(h) > 1;
-            restore();
-            if (springs) {
-                forgetForces();
-            }
-            if (exactContacts_) { // for the rest of the step
-                exactContacts_ = false;
-                substep(h, halvings);
-                return;
-            }
+    } else if (relaxes_) {
+        relaxedSubstep(h);
+    } else if (!joinedSubstep(h) && !bearable(h, halvings)) {
+        bool const springs = !relaxes_ && gainOf(h) > 1;
+        restore();
+        if (springs) {
+            forgetForces();
+        }
+        if (exactContacts_) { // for the rest of the step
+            exactContacts_ = relaxes_ = false;
+            substep(h, halvings);
+            return;
+        }
+        if (!relaxes_ && halvings < mostHalvings && splits_ < mostSplits) {
             ++splits_;
             substep(h / 2, halvings + 1);
             substep(h / 2, halvings + 1);
             return;
         }
-        takeGainAway(gainOf(h));
+        relaxes_ = true; // for the rest of the step
+        substep(h, halvings);
+        return;
     }
     for (SlotIndex const slot : island_.bodies) {
         if (slot < engine_.dragged_.size() && engine_.dragged_[slot].drag.any()) {

@@ -42,6 +42,7 @@ private:
     void findContacts(double time);
     void makeRows();
     void substep(double h, int halvings = 0);
+    [[nodiscard]] bool bearable(double h, int halvings);
 
     void startRows(double h);
     void accelerate(SlotIndex slot, double h);
@@ -69,6 +70,9 @@ private:
     void restore();
     void springLoads(std::vector<Load>& loads) const;
     void prepareJoints(double h, bool trial);
+    /// Springs, and the impulses of the last substep as a first guess.
+    void beginJoints(double h);
+    void keepImpulses();
     void takeExactRows(bool anew);
     void solveBounded();
     void findContactErrors(double h, std::size_t first);
@@ -82,6 +86,13 @@ private:
     bool closeGaps(double h, int rounds);
     void stopRates(double h, int rounds);
     [[nodiscard]] double rateOf(ExactRow const& row) const;
+
+    // relaxed_substep.cpp
+    void relaxedSubstep(double h);
+    void relaxJoints(double h, bool closes);
+    /// Whether this step begins relaxed, since the last ones could not hold the joints exactly.
+    [[nodiscard]] bool beginsRelaxed();
+    void noteTroubles();
 
     // smooth_motion.cpp
     /// Moves an island of joints, on which nothing else acts, for as long (s) as this lasts, and returns how
@@ -146,6 +157,8 @@ private:
     std::vector<double> jointImpulses_; ///< N s, during an impact
     bool jointsStrike_ = false;         ///< joints take part in the impacts of this moment
     int splits_ = 0;                    ///< of substeps in this step
+    bool relaxes_ = false;              ///< joints cannot hold exactly in this step
+    double misfit_ = 0;                 ///< m or rad, of joints after the last substep
     bool exactContacts_ = false;        ///< normal impulses are exact rows, too
     double h_ = 0;                      ///< s, of the usual substep
     double since_ = 0;                  ///< s, since the step's beginning
