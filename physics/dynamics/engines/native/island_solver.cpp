@@ -208,7 +208,8 @@ void IslandSolver::catchUpLoads() {
         BodyEntry const& entry = engine_.bodies_[slot];
         Vec2 const force = entry.load.force - entry.loadBefore.force;
         double const torque = entry.load.torque - entry.loadBefore.torque;
-        if (entry.lastStep == 0 || (force.x == 0 && force.y == 0 && torque == 0)) {
+        if (entry.lastStep == 0 || !entry.load.varies || !entry.loadBefore.varies ||
+            (force.x == 0 && force.y == 0 && torque == 0)) {
             continue;
         }
         MovingState& state = stateOf(slot);

@@ -31,8 +31,8 @@ public:
 
 private:
     /// A step knows the loads of its beginning only. When those of its end are known, in the next step,
-    /// velocities get the mean of both: the method of Verlet (L. Verlet 1967), which is of second order and
-    /// symplectic.
+    /// velocities get the mean of both, where loads vary smoothly: the method of Verlet (L. Verlet 1967),
+    /// which is of second order and symplectic.
     void catchUpLoads();
     /// Substeps of the step that the island needs.
     [[nodiscard]] int demand(double duration) const;

@@ -36,6 +36,7 @@ TEST(NativeStep, AForceByThePlaceIsIntegratedToTheSecondOrder) {
         double const theta = std::acos(1 - omega * omega / 7200);
         for (int n = 0; n < 600; ++n) {
             ASSERT_NEAR(world.motions[ball].centre.x, std::cos(n * theta), 1e-9) << omega << " " << n;
+            world.loads[ball].varies = true;
             world.loads[ball].force.x = -omega * omega * world.masses[ball] * world.motions[ball].centre.x;
             world.step();
         }

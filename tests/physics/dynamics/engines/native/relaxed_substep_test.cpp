@@ -27,7 +27,8 @@ TEST(RelaxedSubstep, AChainWithoutRoomToSagBearsAWeight) {
     double const before = world.energy();
     for (int i = 0; i < 300; ++i) {
         world.step();
-        ASSERT_LT(world.energy(), before + 1) << i;
+        // What closes the joints may lift the weight by a centimetre.
+        ASSERT_LT(world.energy(), before + 0.01 * 50 * standardGravity) << i;
     }
     EXPECT_GT(world.motions[weight].centre.y, 0.1);
     for (SlotIndex const link : chain) {
