@@ -35,7 +35,7 @@ struct Motion {
 struct Load {
     Vec2 force;        ///< N, at the centre of mass
     double torque = 0; ///< N m
-    /// Whether it varies smoothly with the body's motion, as a StateRate says. What does not may begin or end
+    /// Whether it varies smoothly with the body's place, as a StateRate says. What does not may begin or end
     /// from one step to the next.
     bool varies = false;
 };
@@ -125,7 +125,7 @@ public:
     virtual bool chooseSubsteps(bool) { return false; }
     /// Whether a constant force leads to the exact parabola in any number of substeps, and one that varies
     /// from step to step to a motion of second order.
-    [[nodiscard]] virtual bool secondOrder() const { return false; }
+    [[nodiscard]] virtual bool exactForConstantForces() const { return false; }
     /// Computes the motion for `duration` (s), split into the settings' substeps.
     virtual void step(double duration, DynamicsSettings const& settings) = 0;
     /// The bodies that were awake in the last step, ascending by slot.

@@ -90,7 +90,9 @@ void Simulation::noteRate(StateRate const& call) {
     if (!bodies_.moves(slot) || !std::isfinite(call.rate)) {
         return;
     }
-    loads_.noteVarying(slot);
+    if (call.swings && !call.foreseen) {
+        loads_.noteVarying(slot);
+    }
     if (call.rate > rates_.greatest) {
         rates_.greatest = call.rate;
         rates_.object = call.object;
@@ -98,7 +100,7 @@ void Simulation::noteRate(StateRate const& call) {
     if (!call.foreseen) {
         rates_.unforeseen = std::max(rates_.unforeseen, call.rate);
     }
-    if (call.swings) {
+    if (call.swings || call.foreseen) {
         rates_.swinging = std::max(rates_.swinging, call.rate);
     }
     if (call.swings && call.foreseen) {
@@ -256,7 +258,7 @@ bool Simulation::step(double duration, DynamicsColumns const& columns,
     substep_ = duration / with.substeps;
     // A force that is held throughout acts, on average, half of the time late, unless the engine makes up for
     // some of it.
-    lag_ = {duration, engine_->secondOrder() ? duration : duration / with.substeps};
+    lag_ = {duration, engine_->exactForConstantForces() ? 0 : duration / with.substeps};
     loads_.noteSleepers(*engine_, with.sleeping);
     return true;
 }

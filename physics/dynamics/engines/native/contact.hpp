@@ -41,6 +41,7 @@ struct BodyEntry {
     Damping damping;
     Load load;
     Load loadBefore;     ///< that of the last step
+    int steps = 0;       ///< up to 2, of its life
     double lastStep = 0; ///< s, the last step if the body was awake, else 0
     Vec2 centre;         ///< m
     double angle = 0;    ///< rad

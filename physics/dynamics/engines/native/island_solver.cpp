@@ -208,7 +208,9 @@ void IslandSolver::catchUpLoads() {
         BodyEntry const& entry = engine_.bodies_[slot];
         Vec2 const force = entry.load.force - entry.loadBefore.force;
         double const torque = entry.load.torque - entry.loadBefore.torque;
-        if (entry.lastStep == 0 || !entry.load.varies || !entry.loadBefore.varies ||
+        // In the first step of its life nothing has acted yet.
+        bool const varied = entry.loadBefore.varies || entry.steps == 1;
+        if (entry.lastStep == 0 || !entry.load.varies || !varied ||
             (force.x == 0 && force.y == 0 && torque == 0)) {
             continue;
         }

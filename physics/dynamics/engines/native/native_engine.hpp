@@ -46,7 +46,7 @@ public:
         return true;
     }
     bool solveJointsAtOnce(bool) override { return true; }
-    [[nodiscard]] bool secondOrder() const override { return true; }
+    [[nodiscard]] bool exactForConstantForces() const override { return true; }
     void step(double duration, DynamicsSettings const& settings) override;
     [[nodiscard]] std::span<MovedBody const> moved() const override { return moved_; }
     [[nodiscard]] std::vector<TouchChange>& touchChanges() override { return touches_; }

@@ -270,6 +270,7 @@ void NativeEngine::step(double duration, DynamicsSettings const& settings) {
     }
     for (SlotIndex slot = 0; slot < bodies_.size(); ++slot) {
         bodies_[slot].loadBefore = bodies_[slot].load;
+        bodies_[slot].steps = std::min(2, bodies_[slot].steps + 1);
         bodies_[slot].lastStep = awake_[slot] != 0 ? duration : 0;
     }
     exact_.tidy();
