@@ -181,11 +181,11 @@ bool printRow(GameData const& gameData, GrowthRow const& row, std::vector<int> c
 int main(int argc, char** argv) {
     std::vector<std::string> wanted;
     int most = 100000;
-    std::string engine = "native";
+    std::string engine = "box2d";
     CLI::App program("How cost grows with what a level states in number.");
     program.add_option("ROW", wanted, "Only these");
     program.add_option("--most", most, "The largest number")->check(CLI::Range(100, 1000000));
-    program.add_option("--engine", engine, "native, box2d, chipmunk or ode");
+    program.add_option("--engine", engine, "box2d, chipmunk, ode or native");
     CLI11_PARSE(program, argc, argv);
 
     std::vector<int> sizes;

@@ -22,7 +22,7 @@ inline constexpr double g = earthGravity; ///< m/s², of a Rig unless it is give
 /// How to run a case.
 struct Setting {
     DynamicsSettings solver = {}; ///< each case sets `sleeping` itself
-    std::string engine = "native";
+    std::string engine = "box2d";
     int threads = 1;
 };
 

@@ -35,10 +35,10 @@ void registerDynamics(Registry& registry) {
     registry.completion<MatterCompletion>();
     registry.completion<BodyCompletion>();
     registry.completion<JointCompletion>();
-    registry.component<DynamicsResolver>(nativeDynamics);
     registry.component<DynamicsResolver>(box2dDynamics);
     registry.component<DynamicsResolver>(chipmunkDynamics);
     registry.component<DynamicsResolver>(odeDynamics);
+    registry.component<DynamicsResolver>(nativeDynamics);
     registry.component<DynamicsFromPlayer>();
     registry.component<FrameFromDynamics>();
     registry.component<PopulationFromDynamics>();

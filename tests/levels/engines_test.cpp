@@ -18,7 +18,7 @@ std::vector<std::string> otherEngines() {
     GameData const gameData;
     for (Registration const& registration : gameData.registry.components()) {
         ComponentText const& text = registration.info->text;
-        if (text.effect == "dynamics" && !text.level.empty() && text.level != "native" &&
+        if (text.effect == "dynamics" && !text.level.empty() && text.level != "box2d" &&
             registration.missing.empty()) {
             found.emplace_back(text.level);
         }
@@ -65,7 +65,7 @@ TEST_P(Engines, VerifyTheLevel) {
 // A motor runs steadily although another engine computes its bodies every two seconds.
 TEST_F(Experiment, AMotorKeepsTurningWhileEnginesSwap) {
     std::vector<std::string> engines = otherEngines();
-    engines.emplace_back("native");
+    engines.emplace_back("box2d");
     open("3-electric-motor.json");
     Tachometer tachometer(world());
     for (std::size_t swap = 0; swap < 12; ++swap) {

@@ -84,7 +84,7 @@ TEST_P(Boundaries, OfEveryNumberPlayOrAreRefusedWithAPlace) {
     int played = 0;
     for (std::size_t i = GetParam(); i < all.size(); i += step) {
         expectGood(all[i],
-                   {.engines = {"native"}, .threads = {1, 2}, .frames = 6, .frameSeconds = frameSeconds},
+                   {.engines = {"box2d"}, .threads = {1, 2}, .frames = 6, .frameSeconds = frameSeconds},
                    played);
     }
 }

@@ -182,7 +182,7 @@ void addDynamicsPlans(std::vector<Plan>& plans) {
         {1200, 60}));
     plans.push_back(
         enginesPlan({"engines: a chain of 30 links under a hundred times a link's mass", gap, whole,
-                     "A scene uses the default engine unless another one is requested. With Chipmunk the chain tears "
+                     "A scene uses Box2D unless another engine is requested. With Chipmunk the chain tears "
                      "at 4 substeps and holds at 8; ODE, made for three dimensions, takes by far the most "
                      "time. [engines.md](../engines.md) describes the other differences."},
                     chain, {300, 30}));

@@ -26,7 +26,7 @@ struct DynamicsScene {
 
 struct Solver {
     DynamicsSettings settings;
-    std::string engine; ///< "native"; empty: the world's default engine
+    std::string engine; ///< "box2d"; empty: the world's default engine
 };
 
 /// Builds the scene with a solver's settings.

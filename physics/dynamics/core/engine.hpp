@@ -35,8 +35,8 @@ struct Motion {
 struct Load {
     Vec2 force;        ///< N, at the centre of mass
     double torque = 0; ///< N m
-    /// Whether it varies smoothly with the body's place, as a StateRate says. What does not may begin or end
-    /// from one step to the next.
+    /// Whether it varies smoothly with the body's place, as a StateRate says, and does not look ahead. What
+    /// does not vary may begin or end from one step to the next.
     bool varies = false;
 };
 
@@ -123,8 +123,7 @@ public:
     /// touching bodies apart. Off at first. The settings' number is then that which the joints need. Returns
     /// whether it will choose: not every engine does.
     virtual bool chooseSubsteps(bool) { return false; }
-    /// Whether a constant force leads to the exact parabola in any number of substeps, and one that varies
-    /// from step to step to a motion of second order.
+    /// Whether a constant force leads to the exact parabola in any number of substeps.
     [[nodiscard]] virtual bool exactForConstantForces() const { return false; }
     /// Computes the motion for `duration` (s), split into the settings' substeps.
     virtual void step(double duration, DynamicsSettings const& settings) = 0;

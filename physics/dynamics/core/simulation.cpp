@@ -100,7 +100,7 @@ void Simulation::noteRate(StateRate const& call) {
     if (!call.foreseen) {
         rates_.unforeseen = std::max(rates_.unforeseen, call.rate);
     }
-    if (call.swings || call.foreseen) {
+    if (call.swings) {
         rates_.swinging = std::max(rates_.swinging, call.rate);
     }
     if (call.swings && call.foreseen) {

@@ -18,7 +18,7 @@ std::vector<std::string> engines() {
 }
 
 std::string& engineUnderTest() {
-    static std::string engine = "native";
+    static std::string engine = "box2d";
     return engine;
 }
 

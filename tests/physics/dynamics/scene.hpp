@@ -42,7 +42,7 @@ private:
 class OnEveryEngine : public ::testing::TestWithParam<std::string> {
 protected:
     void SetUp() override { engineUnderTest() = GetParam(); }
-    void TearDown() override { engineUnderTest() = "native"; }
+    void TearDown() override { engineUnderTest() = "box2d"; }
     [[nodiscard]] static bool on(std::string_view engine) { return GetParam() == engine; }
 };
 

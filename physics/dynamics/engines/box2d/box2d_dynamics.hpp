@@ -9,7 +9,7 @@ namespace trembler {
 [[nodiscard]] std::unique_ptr<Engine> makeBox2dEngine(double scale);
 
 inline constexpr DynamicsEngine box2dDynamics{
-    .text{.name = "Box2D Dynamics",
+    .text{.name = "Dynamics",
           .effect = "dynamics",
           .level = "box2d",
           .work = "Performs both collision detection and rigid body simulation, with "

@@ -197,7 +197,11 @@ void IslandSolver::bounce(double ahead) {
         takeGainAway(kineticEnergyNow() / ((1 + 1e-6) * had));
     }
     for (ContactRow* const row : near) {
-        if (auto const impact = impactOf(*row, row->detail->struck)) {
+        // Joints may make bodies strike with more than their own mass, but what sounds is no more than there
+        // was.
+        double const yields = stateOf(row->a).inverseMass + stateOf(row->b).inverseMass;
+        double const most = jointsStrike_ ? std::sqrt(8 * had / yields) : row->detail->struck;
+        if (auto const impact = impactOf(*row, std::min(row->detail->struck, most))) {
             engine_.impacts_.push_back(*impact);
         }
     }

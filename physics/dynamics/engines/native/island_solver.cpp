@@ -39,6 +39,8 @@ constexpr int mostSplits = 24;
 // which is taken away.
 constexpr double mostMisfit = 1e-3;
 constexpr double mostBearableGain = 4;
+// Joints that are closed from far apart make bodies fast for a substep, but no faster than so, m/s.
+constexpr double fastestBearable = 20;
 // A body may move by this share of its thinnest half, or turn by so many rad, before its contacts are found
 // again.
 constexpr double shareOfThin = 0.5;
@@ -633,7 +635,11 @@ bool IslandSolver::bearable(double h, int halvings) {
         return false;
     }
     double const gain = gainOf(h);
-    if (gain > mostBearableGain) {
+    double fastest = 0;
+    for (SlotIndex const slot : island_.bodies) {
+        fastest = std::max(fastest, length(stateOf(slot).velocity));
+    }
+    if (gain > mostBearableGain && fastest > fastestBearable) {
         return false;
     }
     takeGainAway(gain);

@@ -9,7 +9,7 @@ namespace trembler {
 [[nodiscard]] std::unique_ptr<Engine> makeNativeEngine(double scale);
 
 inline constexpr DynamicsEngine nativeDynamics{
-    .text{.name = "Dynamics",
+    .text{.name = "Native Dynamics",
           .effect = "dynamics",
           .level = "native",
           .work = "Performs both collision detection and rigid body simulation, in double precision, with "
