@@ -185,7 +185,7 @@ int main(int argc, char** argv) {
     CLI::App program("How cost grows with what a level states in number.");
     program.add_option("ROW", wanted, "Only these");
     program.add_option("--most", most, "The largest number")->check(CLI::Range(100, 1000000));
-    program.add_option("--engine", engine, "box2d, chipmunk or ode");
+    program.add_option("--engine", engine, "box2d, chipmunk, ode or native");
     CLI11_PARSE(program, argc, argv);
 
     std::vector<int> sizes;

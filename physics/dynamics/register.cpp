@@ -3,6 +3,7 @@
 #include "physics/dynamics/core/dynamics_resolver.hpp"
 #include "physics/dynamics/engines/box2d/box2d_dynamics.hpp"
 #include "physics/dynamics/engines/chipmunk/chipmunk_dynamics.hpp"
+#include "physics/dynamics/engines/native/native_dynamics.hpp"
 #include "physics/dynamics/engines/ode/ode_dynamics.hpp"
 #include "physics/dynamics/interactions/frame_from_dynamics.hpp"
 #include "physics/dynamics/interactions/from_player.hpp"
@@ -37,6 +38,7 @@ void registerDynamics(Registry& registry) {
     registry.component<DynamicsResolver>(box2dDynamics);
     registry.component<DynamicsResolver>(chipmunkDynamics);
     registry.component<DynamicsResolver>(odeDynamics);
+    registry.component<DynamicsResolver>(nativeDynamics);
     registry.component<DynamicsFromPlayer>();
     registry.component<FrameFromDynamics>();
     registry.component<PopulationFromDynamics>();

@@ -1,6 +1,8 @@
 // A point or a direction in the plane, x to the right, y up. Lengths are in SI units.
 #pragma once
 
+#include "runtime/math/exact_math.hpp"
+
 #include <cmath>
 
 namespace trembler {
@@ -45,8 +47,7 @@ struct Vec2 {
 }
 /// a turned anticlockwise by `angle` (rad).
 [[nodiscard]] inline Vec2 rotated(Vec2 a, double angle) {
-    double const c = std::cos(angle);
-    double const s = std::sin(angle);
+    auto const [c, s] = exactTurn(angle);
     return {c * a.x - s * a.y, s * a.x + c * a.y};
 }
 

@@ -59,7 +59,7 @@ protected:
 };
 
 TEST_F(EnginesPage, StatesTheFramesInWhichSolutionsSolve) {
-    constexpr std::array<char const*, 3> engines{"box2d", "chipmunk", "ode"};
+    constexpr std::array<char const*, 4> engines{"native", "box2d", "chipmunk", "ode"};
     std::size_t rows = 0;
     bool inside = false;
     for (std::string const& line : linesOf("engines.md")) {
@@ -68,7 +68,7 @@ TEST_F(EnginesPage, StatesTheFramesInWhichSolutionsSolve) {
             continue;
         }
         std::vector<std::string> const stated = cellsOf(line);
-        ASSERT_EQ(stated.size(), 5U) << line;
+        ASSERT_EQ(stated.size(), 6U) << line;
         std::string now = fmt::format("| {} | {} |", stated[0], stated[1]);
         for (std::size_t i = 0; i < engines.size(); ++i) {
             bool const built = [&] {

@@ -80,7 +80,8 @@ int main(int argc, char** argv) {
     program.add_option("--seed", arguments.seed, "Of the first level; the next has the next");
     program.add_option("--jobs", arguments.jobs, "Levels at the same time")->check(CLI::Range(1, 256));
     program.add_option("--frames", arguments.trial.frames, "Of every run")->check(CLI::Range(1, 100000));
-    program.add_option("--engines", arguments.trial.engines, "Of box2d, chipmunk and ode")->delimiter(',');
+    program.add_option("--engines", arguments.trial.engines, "Of native, box2d, chipmunk and ode")
+        ->delimiter(',');
     program.add_option("--threads", arguments.trial.threads, "Numbers of threads, for example 1,2,5")
         ->delimiter(',');
     program

@@ -24,7 +24,7 @@ struct Ended {
 [[nodiscard]] Ended inChild(std::function<std::string()> const& work, unsigned seconds);
 
 struct TrialOptions {
-    std::vector<std::string> engines{"box2d", "chipmunk", "ode"};
+    std::vector<std::string> engines{"native", "box2d", "chipmunk", "ode"};
     std::vector<int> threads{1, 2, 5};
     int frames = 30;
     unsigned seconds = 60;   ///< of processor time to read it

@@ -2,11 +2,11 @@
 // sandbox runs a script in protected mode.
 #include "lua/sandbox/prelude/host_functions.hpp"
 
-#include "lua/sandbox/exact_math.hpp"
 #include "lua/sandbox/number_text.hpp"
 #include "lua/sandbox/prelude/signatures.hpp"
 #include "lua/sandbox/stack_values.hpp"
 #include "runtime/level/json/suggestion.hpp"
+#include "runtime/math/exact_math.hpp"
 
 #include <fmt/format.h>
 

@@ -163,8 +163,8 @@ void DynamicsResolver::drainLoads(Access& access, DynamicsColumns const& columns
             pointForces_ = true;
         });
     });
-    simulation_.endLoads();
     access.forCalls<StateRate>([&](StateRate const& call, CallOrigin const&) { simulation_.noteRate(call); });
+    simulation_.endLoads();
     provideIfOther(access, simulation_.rates());
 }
 

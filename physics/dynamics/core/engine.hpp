@@ -35,6 +35,9 @@ struct Motion {
 struct Load {
     Vec2 force;        ///< N, at the centre of mass
     double torque = 0; ///< N m
+    /// Whether it varies smoothly with the body's place, as a StateRate says, and does not look ahead. What
+    /// does not vary may begin or end from one step to the next.
+    bool varies = false;
 };
 
 /// Beyond these limits an engine in single precision fails; loads and impulses are limited to them.

@@ -17,7 +17,7 @@ double tame(double value) {
 }
 
 Load bounded(Load load, Body const& body) {
-    load = {{tame(load.force.x), tame(load.force.y)}, tame(load.torque)};
+    load = {{tame(load.force.x), tame(load.force.y)}, tame(load.torque), load.varies};
     double const force = length(load.force);
     if (force > body.mass * maximumAcceleration) {
         load.force *= body.mass * maximumAcceleration / force;

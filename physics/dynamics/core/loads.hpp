@@ -24,6 +24,12 @@ public:
         sum.load.torque += torque;
         sum.gross += std::abs(force.x) + std::abs(force.y);
     }
+    /// That the force on a body varies smoothly with its motion.
+    void noteVarying(SlotIndex slot) {
+        if (slot < sums_.size()) {
+            sums_[slot].load.varies = true;
+        }
+    }
     /// A resistance (see Drag::add) at `arm` (m) from the centre of mass.
     void addDrag(SlotIndex slot, Vec2 arm, double xx, double xy, double yy, double angular) {
         drags_.resize(sums_.size());

@@ -86,8 +86,12 @@ void Simulation::makeEngine(DynamicsSettings const& settings, DynamicsColumns co
 }
 
 void Simulation::noteRate(StateRate const& call) {
-    if (!bodies_.moves(bodies_.slotOf(call.object)) || !std::isfinite(call.rate)) {
+    SlotIndex const slot = bodies_.slotOf(call.object);
+    if (!bodies_.moves(slot) || !std::isfinite(call.rate)) {
         return;
+    }
+    if (call.swings && !call.foreseen) {
+        loads_.noteVarying(slot);
     }
     if (call.rate > rates_.greatest) {
         rates_.greatest = call.rate;

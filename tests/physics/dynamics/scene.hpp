@@ -25,6 +25,19 @@ namespace trembler::test {
 /// The engine of scenes that do not state another one.
 [[nodiscard]] std::string& engineUnderTest();
 
+/// The engine of scenes that do not state another one, as long as this lives: for what the program chooses
+/// for the packages alone.
+class WithEngine {
+public:
+    explicit WithEngine(std::string const& engine) : before_(engineUnderTest()) { engineUnderTest() = engine; }
+    ~WithEngine() { engineUnderTest() = before_; }
+    WithEngine(WithEngine const&) = delete;
+    WithEngine& operator=(WithEngine const&) = delete;
+
+private:
+    std::string before_;
+};
+
 /// A fixture for tests that hold for every engine.
 class OnEveryEngine : public ::testing::TestWithParam<std::string> {
 protected:

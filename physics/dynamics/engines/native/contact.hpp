@@ -40,15 +40,19 @@ struct BodyEntry {
     CollisionGroups groups;
     Damping damping;
     Load load;
-    Vec2 centre;       ///< m
-    double angle = 0;  ///< rad
-    double thin = 0;   ///< m, radius of the largest disc in it, about
-    double extent = 0; ///< m, of its farthest point from the centre of mass
+    Load loadBefore;     ///< that of the last step
+    int steps = 0;       ///< up to 2, of its life
+    double lastStep = 0; ///< s, the last step if the body was awake, else 0
+    Vec2 centre;         ///< m
+    double angle = 0;    ///< rad
+    double thin = 0;     ///< m, radius of the largest disc in it, about
+    double extent = 0;   ///< m, of its farthest point from the centre of mass
     std::vector<Convex> pieces;
     bool placed = false; ///< since its contacts were found
     int joints = 0;
     int restlessJoints = 0; ///< motors that must not fall asleep
     double idle = 0;        ///< s, for which it has been slow
+    int troubles = 0;       ///< steps in which its island's joints could not hold; of the island's first body
     double smoothStep = 0;  ///< s, of its island's last smooth motion; of the island's first body
     std::uint32_t nap = 0;  ///< names the group with which it fell asleep
 };

@@ -19,6 +19,8 @@ constexpr double meetingGap = 1e-6;
 // of it is an impact, and less is none: so a bouncing body comes to rest.
 constexpr double gainsOfImpact = 2;
 constexpr double faintest = 1e-9; // m/s
+// What joints hold as good as fixed yields at least by this share of what it would yield without them.
+constexpr double leastYield = 1e-4;
 // Impacts of one moment, for each contact of the island.
 constexpr std::size_t mostStrikes = 40;
 
@@ -71,6 +73,15 @@ IslandSolver::Hit IslandSolver::firstHit(double time) {
     return hit;
 }
 
+double IslandSolver::kineticEnergyNow() const {
+    double sum = 0;
+    for (SlotIndex const slot : island_.bodies) {
+        BodyEntry const& entry = engine_.bodies_[slot];
+        sum += kineticEnergy(entry.mass, entry.inertia, stateOf(slot).velocity, stateOf(slot).spin);
+    }
+    return sum;
+}
+
 bool IslandSolver::strike(ContactRow& row, double slowest) {
     std::array<double, 2> speed{};
     bool approaches = false;
@@ -82,12 +93,25 @@ bool IslandSolver::strike(ContactRow& row, double slowest) {
         return false;
     }
     std::array<double, 2> impulse{};
+    bool const jointed =
+        jointsStrike_ && (engine_.bodies_[row.a].joints > 0 || engine_.bodies_[row.b].joints > 0);
+    // By how much an impulse at a point changes the speed there and at the other point, 1/kg.
+    std::array<double, 2> own{row.points[0].normalInverse, row.points[1].normalInverse};
+    double shared = row.coupling;
+    if (jointed) {
+        for (std::size_t n = 0; n < static_cast<std::size_t>(row.count); ++n) {
+            double const trial = std::max(std::abs(speed[n]), slowest) / row.points[n].normalInverse;
+            std::array<double, 2> const after = speedsAfter(row, n, trial);
+            own[n] = std::max((after[n] - speed[n]) / trial, leastYield * row.points[n].normalInverse);
+            shared = (after[1 - n] - speed[1 - n]) / trial;
+        }
+    }
     bool solved = false;
     if (row.count == 2 && speed[0] < 0 && speed[1] < 0) {
         // Both points at once: K (j0, j1) = -(1 + e) speed.
-        double const k00 = row.points[0].normalInverse;
-        double const k11 = row.points[1].normalInverse;
-        double const k01 = row.coupling;
+        double const k00 = own[0];
+        double const k11 = own[1];
+        double const k01 = shared;
         double const determinant = k00 * k11 - k01 * k01;
         if (determinant > 1e-9 * k00 * k11) {
             double const r0 = -(1 + row.detail->restitution) * speed[0];
@@ -99,7 +123,7 @@ bool IslandSolver::strike(ContactRow& row, double slowest) {
     if (!solved) {
         std::size_t const n = row.count == 2 && speed[1] < speed[0] ? 1 : 0;
         impulse = {};
-        impulse[n] = -(1 + row.detail->restitution) * speed[n] / row.points[n].normalInverse;
+        impulse[n] = -(1 + row.detail->restitution) * speed[n] / own[n];
     }
     Vec2 const across = perpendicular(row.normal);
     for (std::size_t n = 0; n < static_cast<std::size_t>(row.count); ++n) {
@@ -115,6 +139,9 @@ bool IslandSolver::strike(ContactRow& row, double slowest) {
                 dot(across, b.velocity - a.velocity) + b.spin * point.acrossB - a.spin * point.acrossA;
             push(row, point, 0, std::clamp(-point.tangentMass * slip, -most, most));
         }
+    }
+    if (jointed) {
+        followImpact();
     }
     row.detail->struck += impulse[0] + impulse[1];
     row.detail->contact->pressed = true;
@@ -142,6 +169,11 @@ void IslandSolver::bounce(double ahead) {
         }
     }
     double const least = 1e-4 * fastest;
+    double had = 0;
+    if (fastest > 0) {
+        beginJointedImpacts();
+        had = kineticEnergyNow();
+    }
     for (std::size_t strikes = mostStrikes * near.size(); strikes > 0; --strikes) {
         ContactRow* next = nullptr;
         double most = 0;
@@ -159,8 +191,17 @@ void IslandSolver::bounce(double ahead) {
             break;
         }
     }
+    if (fastest > 0) {
+        endJointedImpacts();
+        // No impact gives energy; rounding in nearly singular equations might.
+        takeGainAway(kineticEnergyNow() / ((1 + 1e-6) * had));
+    }
     for (ContactRow* const row : near) {
-        if (auto const impact = impactOf(*row, row->detail->struck)) {
+        // Joints may make bodies strike with more than their own mass, but what sounds is no more than there
+        // was.
+        double const yields = stateOf(row->a).inverseMass + stateOf(row->b).inverseMass;
+        double const most = jointsStrike_ ? std::sqrt(8 * had / yields) : row->detail->struck;
+        if (auto const impact = impactOf(*row, std::min(row->detail->struck, most))) {
             engine_.impacts_.push_back(*impact);
         }
     }

@@ -2,6 +2,7 @@
 
 #include "physics/dynamics/engines/native/seams.hpp"
 #include "runtime/component/component.hpp"
+#include "runtime/math/exact_math.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -34,6 +35,12 @@ constexpr std::size_t mostExactContacts = 150;
 constexpr int mostHalvings = 6;
 // Of a step, all together.
 constexpr int mostSplits = 24;
+// Then it may leave joints apart by so much (m or rad), or have so many times the energy that it should,
+// which is taken away.
+constexpr double mostMisfit = 1e-3;
+constexpr double mostBearableGain = 4;
+// Joints that are closed from far apart make bodies fast for a substep, but no faster than so, m/s.
+constexpr double fastestBearable = 20;
 // A body may move by this share of its thinnest half, or turn by so many rad, before its contacts are found
 // again.
 constexpr double shareOfThin = 0.5;
@@ -142,8 +149,10 @@ double IslandSolver::safeTime(Contact const& contact, double remaining) const {
     for (int i = 0; i < 100 && time < remaining; ++i) {
         double const angleA = a.angle + time * stateA.spin;
         double const angleB = b.angle + time * stateB.spin;
-        Pose const atA{{}, std::cos(angleA), std::sin(angleA)};
-        Pose const atB{poseB.at - poseA.at + time * velocity, std::cos(angleB), std::sin(angleB)};
+        CosineAndSine const turnA = exactTurn(angleA);
+        CosineAndSine const turnB = exactTurn(angleB);
+        Pose const atA{{}, turnA.cosine, turnA.sine};
+        Pose const atB{poseB.at - poseA.at + time * velocity, turnB.cosine, turnB.sine};
         double const gap = gapBetween(pieceA, atA, pieceB, atB);
         if (gap <= near) {
             break;
@@ -195,19 +204,43 @@ void IslandSolver::findContacts(double time) {
 // --- a step
 // ---------------------------------------------------------------------------------------------------
 
+void IslandSolver::catchUpLoads() {
+    bool any = false;
+    for (SlotIndex const slot : island_.bodies) {
+        BodyEntry const& entry = engine_.bodies_[slot];
+        Vec2 const force = entry.load.force - entry.loadBefore.force;
+        double const torque = entry.load.torque - entry.loadBefore.torque;
+        // In the first step of its life nothing has acted yet.
+        bool const varied = entry.loadBefore.varies || entry.steps == 1;
+        if (entry.lastStep == 0 || !entry.load.varies || !varied ||
+            (force.x == 0 && force.y == 0 && torque == 0)) {
+            continue;
+        }
+        MovingState& state = stateOf(slot);
+        state.velocity += entry.lastStep / 2 * state.inverseMass * force;
+        state.spin += entry.lastStep / 2 * state.inverseInertia * torque;
+        any = true;
+    }
+    if (any) {
+        beginJointedImpacts();
+    }
+}
+
 void IslandSolver::run(double duration) {
     int const substeps = demand(duration);
     h_ = duration / substeps;
+    catchUpLoads();
     int hits = island_.bodies.size() > smallIsland ? 0 : mostHits;
     int intervals = mostIntervals;
     double left = duration;
     rows_.clear();
-    if (!island_.joints.empty()) {
+    relaxes_ = !island_.joints.empty() && beginsRelaxed();
+    if (!island_.joints.empty() && !relaxes_) {
         double const covered = moveSmoothly(duration);
         left = covered < duration ? duration - covered : 0;
         since_ = covered;
     }
-    exactContacts_ = wantsExactContacts();
+    exactContacts_ = !relaxes_ && wantsExactContacts();
     for (bool first = left == duration; left > 1e-12 * duration; first = false) {
         double const span = --intervals > 0 ? interval(left) : left;
         if (!first || span < left) {
@@ -236,6 +269,9 @@ void IslandSolver::run(double duration) {
             }
         }
         left = span < left ? left - span : 0;
+    }
+    if (!island_.joints.empty()) {
+        noteTroubles();
     }
 
     for (ContactRow& row : rows_) {
@@ -592,10 +628,27 @@ int IslandSolver::contactRounds(double h) const {
     return roundsOfStack;
 }
 
+// What is left where a substep cannot be split any more, and is no fault of the equations.
+bool IslandSolver::bearable(double h, int halvings) {
+    if (exactContacts_ || relaxes_ || misfit_ > mostMisfit ||
+        (halvings < mostHalvings && splits_ < mostSplits)) {
+        return false;
+    }
+    double const gain = gainOf(h);
+    double fastest = 0;
+    for (SlotIndex const slot : island_.bodies) {
+        fastest = std::max(fastest, length(stateOf(slot).velocity));
+    }
+    if (gain > mostBearableGain && fastest > fastestBearable) {
+        return false;
+    }
+    takeGainAway(gain);
+    return true;
+}
+
 void IslandSolver::substep(double h, int halvings) {
-    bool const again =
-        exactContacts_ || (!island_.joints.empty() && halvings < mostHalvings && splits_ < mostSplits);
-    if (again) {
+    bool const joined = exactContacts_ || !island_.joints.empty();
+    if (joined && !relaxes_) {
         remember();
     }
     for (SlotIndex const slot : island_.bodies) {
@@ -620,24 +673,28 @@ void IslandSolver::substep(double h, int halvings) {
         move(h);
         solve(false);
         takeGainAway(excess(slowestExcess));
-    } else if (!joinedSubstep(h)) {
-        if (again) {
-            bool const springs = gainOf(h) > 1;
-            restore();
-            if (springs) {
-                forgetForces();
-            }
-            if (exactContacts_) { // for the rest of the step
-                exactContacts_ = false;
-                substep(h, halvings);
-                return;
-            }
+    } else if (relaxes_) {
+        relaxedSubstep(h);
+    } else if (!joinedSubstep(h) && !bearable(h, halvings)) {
+        bool const springs = !relaxes_ && gainOf(h) > 1;
+        restore();
+        if (springs) {
+            forgetForces();
+        }
+        if (exactContacts_) { // for the rest of the step
+            exactContacts_ = relaxes_ = false;
+            substep(h, halvings);
+            return;
+        }
+        if (!relaxes_ && halvings < mostHalvings && splits_ < mostSplits) {
             ++splits_;
             substep(h / 2, halvings + 1);
             substep(h / 2, halvings + 1);
             return;
         }
-        takeGainAway(gainOf(h));
+        relaxes_ = true; // for the rest of the step
+        substep(h, halvings);
+        return;
     }
     for (SlotIndex const slot : island_.bodies) {
         if (slot < engine_.dragged_.size() && engine_.dragged_[slot].drag.any()) {

@@ -30,6 +30,10 @@ public:
     void run(double duration);
 
 private:
+    /// A step knows the loads of its beginning only. When those of its end are known, in the next step,
+    /// velocities get the mean of both, where loads vary smoothly: the method of Verlet (L. Verlet 1967),
+    /// which is of second order and symplectic.
+    void catchUpLoads();
     /// Substeps of the step that the island needs.
     [[nodiscard]] int demand(double duration) const;
     /// The time (s), at most `remaining`, for which the contacts that are known now suffice.
@@ -38,6 +42,7 @@ private:
     void findContacts(double time);
     void makeRows();
     void substep(double h, int halvings = 0);
+    [[nodiscard]] bool bearable(double h, int halvings);
 
     void startRows(double h);
     void accelerate(SlotIndex slot, double h);
@@ -65,6 +70,9 @@ private:
     void restore();
     void springLoads(std::vector<Load>& loads) const;
     void prepareJoints(double h, bool trial);
+    /// Springs, and the impulses of the last substep as a first guess.
+    void beginJoints(double h);
+    void keepImpulses();
     void takeExactRows(bool anew);
     void solveBounded();
     void findContactErrors(double h, std::size_t first);
@@ -78,6 +86,13 @@ private:
     bool closeGaps(double h, int rounds);
     void stopRates(double h, int rounds);
     [[nodiscard]] double rateOf(ExactRow const& row) const;
+
+    // relaxed_substep.cpp
+    void relaxedSubstep(double h);
+    void relaxJoints(double h, bool closes);
+    /// Whether this step begins relaxed, since the last ones could not hold the joints exactly.
+    [[nodiscard]] bool beginsRelaxed();
+    void noteTroubles();
 
     // smooth_motion.cpp
     /// Moves an island of joints, on which nothing else acts, for as long (s) as this lasts, and returns how
@@ -95,6 +110,18 @@ private:
     void bounce(double ahead);
     [[nodiscard]] double approachLimit(ContactRow const& row, double h) const;
     bool strike(ContactRow& row, double slowest);
+    [[nodiscard]] double kineticEnergyNow() const; ///< J
+
+    // jointed_impact.cpp
+    /// To be called before the impacts of one moment. Velocities that joints do not allow are corrected.
+    void beginJointedImpacts();
+    /// Impulses of joints after which the velocities keep the constraints again.
+    void followImpact();
+    /// The speeds at a contact's points after an impulse at one of them, which joints follow; changes
+    /// nothing.
+    [[nodiscard]] std::array<double, 2> speedsAfter(ContactRow const& row, std::size_t point, double impulse);
+    /// Adds the impulses of joints to the forces that break them.
+    void endJointedImpacts();
 
     [[nodiscard]] MovingState& stateOf(SlotIndex slot) { return engine_.states_[slot]; }
     [[nodiscard]] MovingState const& stateOf(SlotIndex slot) const { return engine_.states_[slot]; }
@@ -127,10 +154,14 @@ private:
     };
     std::vector<Memory> memory_; ///< of the bodies before a substep
     std::vector<JointMemory> jointMemory_;
-    int splits_ = 0;             ///< of substeps in this step
-    bool exactContacts_ = false; ///< normal impulses are exact rows, too
-    double h_ = 0;               ///< s, of the usual substep
-    double since_ = 0;           ///< s, since the step's beginning
+    std::vector<double> jointImpulses_; ///< N s, during an impact
+    bool jointsStrike_ = false;         ///< joints take part in the impacts of this moment
+    int splits_ = 0;                    ///< of substeps in this step
+    bool relaxes_ = false;              ///< joints cannot hold exactly in this step
+    double misfit_ = 0;                 ///< m or rad, of joints after the last substep
+    bool exactContacts_ = false;        ///< normal impulses are exact rows, too
+    double h_ = 0;                      ///< s, of the usual substep
+    double since_ = 0;                  ///< s, since the step's beginning
 };
 
 } // namespace trembler::native

@@ -225,7 +225,7 @@ bool IslandSolver::closeGaps(double h, int rounds) {
     right.resize(rows.size());
     bool const alone = rows_.empty();
     bool stale = true;
-    bool possible = !rows.empty();
+    bool const possible = !rows.empty();
     double misfit = 0;  // of joints
     double deepest = 0; // of contacts
     for (int round = 0; round < mostRounds; ++round) {
@@ -279,8 +279,8 @@ bool IslandSolver::closeGaps(double h, int rounds) {
             break;
         }
         if (stale && !engine_.exact_.factorise(engine_.states_, engine_.follows_)) {
-            possible = false;
-            continue;
+            relaxes_ = true;
+            return false;
         }
         stale = false;
         std::span<double const> const found = engine_.exact_.solve(right);
@@ -297,6 +297,7 @@ bool IslandSolver::closeGaps(double h, int rounds) {
         }
         noteNormals();
     }
+    misfit_ = misfit;
     return misfit <= nearlyClosed && (!exactContacts_ || deepest <= nearlyMet);
 }
 
@@ -380,7 +381,7 @@ void IslandSolver::restore() {
     }
 }
 
-bool IslandSolver::joinedSubstep(double h) {
+void IslandSolver::beginJoints(double h) {
     std::size_t const slots = engine_.bodies_.size();
     engine_.follows_.assign(slots, 1.0);
     engine_.springLoads_.resize(slots);
@@ -395,6 +396,7 @@ bool IslandSolver::joinedSubstep(double h) {
     }
     startRows(h);
     takeExactRows(true);
+    engine_.springLoadsNow_ = engine_.springLoads_;
     // What acted in the last substep is the first guess.
     double stretch = 1;
     std::size_t next = 0;
@@ -433,8 +435,29 @@ bool IslandSolver::joinedSubstep(double h) {
             }
         }
     }
+}
+
+// Impulses that the next substep begins with.
+void IslandSolver::keepImpulses() {
+    std::vector<ExactRow> const& rows = engine_.exact_.rows();
+    std::size_t next = 0;
+    for (SlotIndex const slot : island_.joints) {
+        for (JointRow& row : engine_.joints_[slot].rows->rows()) {
+            if (row.exact() && row.stiff != 0) {
+                row.impulse = rows[next++].impulse;
+            }
+        }
+    }
+}
+
+bool IslandSolver::joinedSubstep(double h) {
+    beginJoints(h);
+    std::vector<ExactRow>& rows = engine_.exact_.rows();
     int const rounds = island_.bodies.size() > few ? 1 : roundsWithContacts;
     bool const good = closeGaps(h, rounds);
+    if (relaxes_) {
+        return false;
+    }
     move(h);
     // The half of the impulses that acts along the new directions is found anew.
     for (ExactRow& row : rows) {
@@ -458,14 +481,7 @@ bool IslandSolver::joinedSubstep(double h) {
     }
     takeExactRows(false);
     stopRates(h, rounds);
-    next = 0;
-    for (SlotIndex const slot : island_.joints) {
-        for (JointRow& row : engine_.joints_[slot].rows->rows()) {
-            if (row.exact() && row.stiff != 0) {
-                row.impulse = rows[next++].impulse;
-            }
-        }
-    }
+    keepImpulses();
     return good && gainOf(h) <= 1;
 }
 

@@ -2,6 +2,7 @@
 
 #include "physics/dynamics/engines/body_core.hpp"
 #include "physics/dynamics/engines/native/native_dynamics.hpp"
+#include "runtime/math/exact_math.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -21,7 +22,8 @@ bool near(Vec2 x, Vec2 y) {
 } // namespace
 
 void NativeEngine::setPose(SlotIndex slot) {
-    poses_[slot] = {bodies_[slot].centre, std::cos(bodies_[slot].angle), std::sin(bodies_[slot].angle)};
+    auto const [cosine, sine] = exactTurn(bodies_[slot].angle);
+    poses_[slot] = {bodies_[slot].centre, cosine, sine};
 }
 
 Motion NativeEngine::motionOf(SlotIndex slot) const {
@@ -260,7 +262,7 @@ void NativeEngine::addContactPatches(std::vector<ContactPatch>& patches) const {
         Convex const& pieceA = bodies_[contact.a].pieces[pieceOf(firstOf(contact.key))];
         for (std::size_t i = 0; i < static_cast<std::size_t>(contact.meeting.count); ++i) {
             MeetingPoint const& point = contact.meeting.points[i];
-            if (point.separation > 2 * touchGap) {
+            if (point.separation > (contact.force[i] > 0 ? pressedGap : 2 * touchGap)) {
                 continue;
             }
             auto const n = static_cast<std::size_t>(patch.count++);

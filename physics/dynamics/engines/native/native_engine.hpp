@@ -23,6 +23,9 @@ namespace trembler::native {
 
 /// Pieces this close, in m, touch; those that touch do so until they are twice as far apart.
 inline constexpr double touchGap = 2e-5;
+/// Bodies that press on each other touch although they are as far apart (m), as what rolls or slides over a
+/// corner is: within a step, contacts keep the direction that they had at its beginning.
+inline constexpr double pressedGap = 2e-4;
 
 class NativeEngine final : public Engine {
 public:

@@ -199,10 +199,13 @@ void NativeEngine::reportTouches() {
             continue;
         }
         double least = 1;
-        for (int i = 0; i < contact.meeting.count; ++i) {
-            least = std::min(least, contact.meeting.points[static_cast<std::size_t>(i)].separation);
+        bool presses = false; // in the last substep
+        for (std::size_t i = 0; i < static_cast<std::size_t>(contact.meeting.count); ++i) {
+            least = std::min(least, contact.meeting.points[i].separation);
+            presses = presses || contact.force[i] > 0;
         }
-        bool const touches = contact.meeting.count > 0 && least <= (contact.touches ? 2 : 1) * touchGap;
+        double const gap = presses ? pressedGap : (contact.touches ? 2 : 1) * touchGap;
+        bool const touches = contact.meeting.count > 0 && least <= gap;
         if (touches != contact.touches) {
             contact.touches = touches;
             change(contact, touches ? 1 : -1);
@@ -264,6 +267,11 @@ void NativeEngine::step(double duration, DynamicsSettings const& settings) {
         for (SlotIndex const slot : island.bodies) {
             movedMarks_[slot] = 1;
         }
+    }
+    for (SlotIndex slot = 0; slot < bodies_.size(); ++slot) {
+        bodies_[slot].loadBefore = bodies_[slot].load;
+        bodies_[slot].steps = std::min(2, bodies_[slot].steps + 1);
+        bodies_[slot].lastStep = awake_[slot] != 0 ? duration : 0;
     }
     exact_.tidy();
     // What the world reads are touches at the step's end, and the next step begins with these contacts.

@@ -149,7 +149,8 @@ private:
     [[nodiscard]] bool hidesPoint(Met const& by, Met const& met, Vec2 point) const {
         Convex const& neighbour = pieceIn(by);
         Pose const& pose = poses_[by.other];
-        if (lengthSquared(point - pose.at) > std::pow(bodies_[by.other].extent + seamStep, 2) ||
+        double const reach = bodies_[by.other].extent + seamStep;
+        if (lengthSquared(point - pose.at) > reach * reach ||
             depthOutside(neighbour, pose, point) > seamStep) {
             return false;
         }

@@ -4,6 +4,7 @@
 // Baraff, "Linear-time dynamics using Lagrange multipliers", 1996); after each step places and velocities are
 // put back onto the constraints.
 #include "physics/dynamics/engines/native/island_solver.hpp"
+#include "runtime/math/exact_math.hpp"
 
 #include <algorithm>
 #include <array>
@@ -80,7 +81,7 @@ public:
             }
             double const error = attempt(size);
             double const change =
-                error > 0 ? std::clamp(0.9 * std::pow(tolerance / error, 0.2), 0.2, 4.0) : 4.0;
+                error > 0 ? std::clamp(0.9 * exactExp(0.2 * exactLog(tolerance / error)), 0.2, 4.0) : 4.0;
             if (!(error <= tolerance)) {
                 h = size * (std::isfinite(change) ? change : 0.2);
                 if (h < leastShare * duration_ * 1e-3) {
@@ -382,8 +383,9 @@ private:
 
     static void setTurn(MovingState& moving, double turned) {
         moving.turned = turned;
-        moving.cosine = std::cos(turned);
-        moving.sine = std::sin(turned);
+        auto const [cosine, sine] = exactTurn(turned);
+        moving.cosine = cosine;
+        moving.sine = sine;
     }
 
     void commit(double h) {

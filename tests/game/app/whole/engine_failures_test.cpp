@@ -13,7 +13,7 @@ protected:
     /// Runs the program on a level on every engine.
     void run(std::string const& name, json const& level, std::function<void(Ran const&)> const& look = {}) {
         write(at(name), level.dump());
-        for (std::string const engine : {"box2d", "chipmunk", "ode"}) {
+        for (std::string const engine : {"native", "box2d", "chipmunk", "ode"}) {
             SCOPED_TRACE(name + " on " + engine);
             Ran const ran =
                 runProgram({"run", at(name), "--frames", "60", "--json", "--detail", "dynamics=" + engine});

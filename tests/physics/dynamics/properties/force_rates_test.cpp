@@ -68,6 +68,7 @@ TEST(ForceRates, AreTheGreatestStatedForMovableBodies) {
 
 // With substeps, a held force would lag behind; the usual 4 are for contacts and joints.
 TEST(ForceRates, FreeBodiesUnderAVaryingForceGetOneStep) {
+    WithEngine const box2d("box2d");
     for (bool const foreseen : {false, true}) {
         RateScene scene;
         ObjectId const ball = scene.ball({0, 0});
@@ -97,6 +98,7 @@ TEST(ForceRates, TouchingBodiesGetSubsteps) {
 }
 
 TEST(ForceLag, IsThatOfTheSemiImplicitEulerMethodInSubsteps) {
+    WithEngine const box2d("box2d");
     for (int const substeps : {1, 2, 4, 16}) {
         Scene::Options options;
         options.solver.substeps = substeps;
@@ -109,6 +111,20 @@ TEST(ForceLag, IsThatOfTheSemiImplicitEulerMethodInSubsteps) {
         EXPECT_DOUBLE_EQ(lag.of(3 * frameDuration), 3 * frameDuration / 2 * (1 - 1.0 / (3 * substeps)));
     }
     EXPECT_EQ(ForceLag{}.ofTurn(), 0) << "nothing lags without moving bodies";
+}
+
+TEST(ForceLag, IsHalfOfTheTimeIfConstantForcesAreExact) {
+    WithEngine const native("native");
+    for (int const substeps : {1, 4}) {
+        Scene::Options options;
+        options.solver.substeps = substeps;
+        Scene scene(options);
+        scene.ball({0, 0});
+        scene.run(1);
+        ForceLag const lag = *scene.world->find<ForceLag>();
+        EXPECT_DOUBLE_EQ(lag.ofTurn(), frameDuration / 2);
+        EXPECT_DOUBLE_EQ(lag.of(3 * frameDuration), 3 * frameDuration / 2);
+    }
 }
 
 } // namespace

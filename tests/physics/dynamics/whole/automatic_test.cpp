@@ -11,8 +11,10 @@
 namespace trembler::test {
 namespace {
 
+// Our own engine chooses its substeps by itself: this is what the program chooses for Box2D.
 class Automatic : public ::testing::Test {
 protected:
+    WithEngine const box2d{"box2d"};
     [[nodiscard]] static SolverChoice choiceOf(Scene const& scene) {
         return *scene.world->find<SolverChoice>();
     }

@@ -190,6 +190,7 @@ Swung swing(double rate, std::int32_t parts) {
 }
 
 TEST(AutomaticParts, IncreaseForForcesThatAreTooFastForAFrame) {
+    test::WithEngine const box2d("box2d"); // the motion on paper is that of its method
     EXPECT_EQ(swing(10, FrameSettings::automatic).parts, 1) << "a sixth of a radian in a frame";
     for (auto const& [rate, parts] : {std::pair(60.0, 2), {130.0, 4}, {250.0, 8}}) {
         for (int const stated : {FrameSettings::automatic, parts}) {

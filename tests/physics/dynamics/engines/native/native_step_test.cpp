@@ -27,6 +27,22 @@ TEST(NativeStep, ThrownBodiesFollowTheParabola) {
     }));
 }
 
+// A force that is computed once in each frame, from the place then: the method of Verlet swings for ever with
+// the angle θ in each frame, cos θ = 1 - (ω h)²/2.
+TEST(NativeStep, AForceByThePlaceIsIntegratedToTheSecondOrder) {
+    for (double const omega : {1.0, 6.0, 30.0}) {
+        SmallWorld world(0);
+        SlotIndex const ball = world.add(discShape(0.1), {.at = {1, 0}});
+        double const theta = std::acos(1 - omega * omega / 7200);
+        for (int n = 0; n < 600; ++n) {
+            ASSERT_NEAR(world.motions[ball].centre.x, std::cos(n * theta), 1e-9) << omega << " " << n;
+            world.loads[ball].varies = true;
+            world.loads[ball].force.x = -omega * omega * world.masses[ball] * world.motions[ball].centre.x;
+            world.step();
+        }
+    }
+}
+
 TEST(NativeStep, FarPlacesAreAsGoodAsTheOrigin) {
     for (double const far : {0.0, 2e4, 1e6}) {
         SmallWorld world;

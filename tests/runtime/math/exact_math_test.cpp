@@ -1,4 +1,4 @@
-#include "lua/sandbox/exact_math.hpp"
+#include "runtime/math/exact_math.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <limits>
 #include <random>
 
-namespace trembler::lua {
+namespace trembler {
 namespace {
 
 // In units in the last place, against the C library's functions of long double.
@@ -37,6 +37,24 @@ TEST(ExactMath, IsAsExactAsItSays) {
     }
 }
 
+TEST(ExactMath, TurnsByAnyAngle) {
+    std::mt19937_64 random(8);
+    std::uniform_real_distribution<double> any(-largestAngle, largestAngle);
+    for (int i = 0; i < 10'000; ++i) {
+        double const a = any(random);
+        ASSERT_EQ(exactTurn(a).sine, exactSin(a)) << a;
+        ASSERT_EQ(exactTurn(a).cosine, exactCos(a)) << a;
+    }
+    for (double const huge : {1e7, -3e12, 1.7e308}) {
+        CosineAndSine const turn = exactTurn(huge);
+        EXPECT_NEAR(turn.cosine * turn.cosine + turn.sine * turn.sine, 1, 1e-15) << huge;
+    }
+    // Whole turns of the double nearest to 2π, 2.4e-16 short of the circle, are taken away beyond the limit.
+    EXPECT_NEAR(exactTurn(1e7).sine, std::sin(1e7L), 1e7 * 2.4e-16);
+    EXPECT_TRUE(std::isnan(exactTurn(std::numeric_limits<double>::infinity()).cosine));
+    EXPECT_TRUE(std::isnan(exactTurn(std::numeric_limits<double>::quiet_NaN()).sine));
+}
+
 TEST(ExactMath, HasTheValuesThatHaveNoRounding) {
     double const infinity = std::numeric_limits<double>::infinity();
     EXPECT_EQ(exactSin(0), 0);
@@ -54,4 +72,4 @@ TEST(ExactMath, HasTheValuesThatHaveNoRounding) {
 }
 
 } // namespace
-} // namespace trembler::lua
+} // namespace trembler

@@ -1,10 +1,12 @@
-#include "lua/sandbox/exact_math.hpp"
+#include "runtime/math/exact_math.hpp"
+
+#include "runtime/math/vec2.hpp"
 
 #include <cmath>
 #include <cstdint>
 #include <limits>
 
-namespace trembler::lua {
+namespace trembler {
 namespace {
 
 // π/2 and ln 2 as sums of numbers, the first of which have so few digits that small multiples are exact.
@@ -13,8 +15,7 @@ constexpr double halfPi2 = 0x1.0b4611a6p-34;
 constexpr double halfPi3 = 0x1.3198a2e037073p-69;
 constexpr double ln2High = 0x1.62e42feep-1;
 constexpr double ln2Low = 0x1.a39ef35793c76p-33;
-constexpr double pi = 0x1.921fb54442d18p+1;
-constexpr double piRest = 0x1.1a62633145c07p-53; // π minus its double
+constexpr double piRest = 0x1.1a62633145c07p-53; // π minus the double nearest to it
 
 // Taylor's series, which for angles up to π/4 is as good as any: the first term left out is below 1e-19.
 double sinSmall(double r) {
@@ -84,6 +85,16 @@ double exactCos(double angle) {
     return quarterSin(r.rest, r.quarter + 1);
 }
 
+CosineAndSine exactTurn(double angle) {
+    if (!std::isfinite(angle)) {
+        double const none = std::numeric_limits<double>::quiet_NaN();
+        return {none, none};
+    }
+    // The remainder is an exact function.
+    Reduced const r = reduce(std::abs(angle) <= largestAngle ? angle : std::remainder(angle, 2 * pi));
+    return {quarterSin(r.rest, r.quarter + 1), quarterSin(r.rest, r.quarter)};
+}
+
 double exactAtan2(double y, double x) {
     double const ax = std::abs(x);
     double const ay = std::abs(y);
@@ -141,4 +152,4 @@ double exactLog(double x) {
     return k * ln2High + (f - (s * f - (2 * s * sum + k * ln2Low)));
 }
 
-} // namespace trembler::lua
+} // namespace trembler
