@@ -85,8 +85,8 @@ RandomMixes::Named RandomMixes::next(std::uint64_t frames, std::function<bool(st
             continue;
         }
         // The trial removes what the reader refuses, and keeps worlds away that end the process.
-        worlds::Outcome const outcome = worlds::tryOut(levels_.make(seed_), schema_,
-                                                       {.engines = {"box2d"}, .threads = {1}, .frames = 1});
+        worlds::Outcome const outcome =
+            worlds::tryOut(levels_.make(seed_), schema_, {.engines = {"box2d"}, .threads = {1}, .frames = 1});
         if (!outcome.played || !outcome.failures.empty()) {
             continue;
         }
