@@ -29,7 +29,9 @@ namespace trembler::test {
 /// for the packages alone.
 class WithEngine {
 public:
-    explicit WithEngine(std::string const& engine) : before_(engineUnderTest()) { engineUnderTest() = engine; }
+    explicit WithEngine(std::string const& engine) : before_(engineUnderTest()) {
+        engineUnderTest() = engine;
+    }
     ~WithEngine() { engineUnderTest() = before_; }
     WithEngine(WithEngine const&) = delete;
     WithEngine& operator=(WithEngine const&) = delete;
