@@ -1,6 +1,7 @@
 // The fields of a table in a manifest: names, texts and flags, and their errors.
 #include "lua/interaction/manifest_fields.hpp"
 
+#include "runtime/file/visible_text.hpp"
 #include "runtime/level/json/suggestion.hpp"
 
 #include <fmt/format.h>
@@ -50,10 +51,7 @@ std::string ManifestFields::text(json const& table, char const* key, bool requir
     }
     auto stated = table[key].get<std::string>();
     // Lists, logs and messages show it in a line; what is behind a line end could pass for their own words.
-    if (std::any_of(stated.begin(), stated.end(), [](char letter) {
-            auto const code = static_cast<unsigned char>(letter);
-            return code < 0x20 || code == 0x7f;
-        })) {
+    if (hasControlCharacter(stated)) {
         complain(key, fmt::format("'{}' has a line end or another control character", key), "one line");
         return {};
     }

@@ -110,6 +110,13 @@ std::size_t characterLength(std::string_view text) {
     return first.code ? first.length : 0;
 }
 
+bool hasControlCharacter(std::string_view text) {
+    return std::any_of(text.begin(), text.end(), [](char letter) {
+        auto const code = static_cast<unsigned char>(letter);
+        return code < 0x20 || code == 0x7f;
+    });
+}
+
 std::size_t unfinishedCharacter(std::string_view text) {
     for (std::size_t back = 1; back <= 3 && back <= text.size(); ++back) {
         auto const lead = static_cast<unsigned char>(text[text.size() - back]);

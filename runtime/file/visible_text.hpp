@@ -17,6 +17,9 @@ namespace trembler {
 /// The same, but keeps line feeds and tabs: for text of several lines.
 [[nodiscard]] std::string visibleLines(std::string_view text);
 
+/// Whether there is a control character (C0 or DEL) in a text, such as a line feed or a tab.
+[[nodiscard]] bool hasControlCharacter(std::string_view text);
+
 /// How many bytes at the end of a text may be the beginning of an incomplete character: 0 to 3.
 [[nodiscard]] std::size_t unfinishedCharacter(std::string_view text);
 

@@ -1,5 +1,7 @@
 #include "puzzle/edit/tree/tree_access.hpp"
 
+#include "runtime/file/visible_text.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -277,9 +279,8 @@ std::string untaken(std::set<std::string> const& taken, std::string const& wante
 }
 
 void mustBeName(std::string const& name, std::string_view what) {
-    bool const plain = std::none_of(
-        name.begin(), name.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20U || c == 0x7f; });
-    if (name.empty() || name.size() > longestName || !plain || name.front() == ' ' || name.back() == ' ') {
+    if (name.empty() || name.size() > longestName || hasControlCharacter(name) || name.front() == ' ' ||
+        name.back() == ' ') {
         throw CommandError(fmt::format("{} must have 1 to {} bytes in one line, without blanks at its ends",
                                        what, longestName));
     }

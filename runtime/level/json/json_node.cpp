@@ -1,5 +1,6 @@
 #include "runtime/level/json/json_node.hpp"
 
+#include "runtime/file/visible_text.hpp"
 #include "runtime/level/json/add_problem.hpp"
 #include "runtime/level/json/suggestion.hpp"
 #include "runtime/level/json/text_limits.hpp"
@@ -177,10 +178,7 @@ std::optional<std::string> JsonNode::name(std::string_view what) const {
     if (!found) {
         return std::nullopt;
     }
-    bool const plain = std::none_of(found->begin(), found->end(), [](char c) {
-        return static_cast<unsigned char>(c) < 0x20U || c == 0x7f;
-    });
-    if (found->empty() || found->size() > longest || !plain || found->front() == ' ' ||
+    if (found->empty() || found->size() > longest || hasControlCharacter(*found) || found->front() == ' ' ||
         found->back() == ' ') {
         complainOfType(
             fmt::format("{} of 1 to {} bytes in one line, without blanks at its ends", what, longest));

@@ -129,5 +129,15 @@ TEST(VisibleText, KeepsItsMeaningInJson) {
     EXPECT_EQ(escapedJson("{\n  \"µ\": 1\n}\n"), "{\n  \"µ\": 1\n}\n");
 }
 
+TEST(VisibleText, KnowsControlCharacters) {
+    for (char const* const text : {"a\nb", "\t", "\x1b[0m", "a\x7f"}) {
+        EXPECT_TRUE(hasControlCharacter(text)) << text;
+    }
+    EXPECT_TRUE(hasControlCharacter(std::string_view("a\0b", 3)));
+    for (char const* const text : {"", "a b", "\xc3\x9c", "~"}) {
+        EXPECT_FALSE(hasControlCharacter(text)) << text;
+    }
+}
+
 } // namespace
 } // namespace trembler
