@@ -87,12 +87,25 @@ void readKeys(Json const& profile, ProfileEntries& read) {
     }
 }
 
+/// `damaged` becomes the levels whose stars are damaged.
+CampaignProgress progressIn(Json const& profile, std::vector<std::string>& damaged) {
+    CampaignProgress progress;
+    if (Json const* const solved = memberOf(profile, "solved"); solved != nullptr && solved->is_array()) {
+        for (Json const& id : *solved) {
+            if (id.is_string()) {
+                progress.markSolved(id.get<std::string>());
+            }
+        }
+    }
+    if (Json const* const levels = memberOf(profile, progressKey)) {
+        damaged = progress.read(*levels);
+    }
+    return progress;
+}
+
 /// A sentence for each level whose stars are damaged; of many levels for the first ones.
-void readDamagedStars(Json const& profile, ProfileEntries& read) {
+void tellOfDamagedStars(std::vector<std::string> const& damaged, ProfileEntries& read) {
     constexpr std::size_t most = 3;
-    Json const* const levels = memberOf(profile, progressKey);
-    std::vector<std::string> const damaged =
-        levels == nullptr ? std::vector<std::string>() : CampaignProgress().read(*levels);
     for (std::size_t i = 0; i < std::min(damaged.size(), most); ++i) {
         read.troubles.emplace_back(
             [level = visible(damaged[i])] { return textWith("kept.stars_not_read", level); });
@@ -204,24 +217,15 @@ ProfileEntries readProfile(std::string_view text) {
         }
     }
     readKeys(all, read);
-    read.progress = progressOf(all);
-    readDamagedStars(all, read);
+    std::vector<std::string> damaged;
+    read.progress = progressIn(all, damaged);
+    tellOfDamagedStars(damaged, read);
     return read;
 }
 
 CampaignProgress progressOf(Json const& profile) {
-    CampaignProgress progress;
-    if (Json const* const solved = memberOf(profile, "solved"); solved != nullptr && solved->is_array()) {
-        for (Json const& id : *solved) {
-            if (id.is_string()) {
-                progress.markSolved(id.get<std::string>());
-            }
-        }
-    }
-    if (Json const* const levels = memberOf(profile, progressKey)) {
-        progress.read(*levels);
-    }
-    return progress;
+    std::vector<std::string> damaged;
+    return progressIn(profile, damaged);
 }
 
 std::int64_t changedAt(Json const& profile, std::string const& name) {
