@@ -95,7 +95,7 @@ int main(int argc, char** argv) {
     app.add_option("--search-seeds", searchSeeds, "Worlds that a fixed setting must hold in")
         ->check(CLI::Range(1, 1000));
     app.add_option("--case", wanted, "Only cases whose name contains this");
-    app.add_option("--engine", setting.engine, "box2d, chipmunk or ode");
+    app.add_option("--engine", setting.engine, "box2d, chipmunk, ode or native");
     app.add_option("--substeps", substeps, "Only these fixed numbers of substeps")->delimiter(',');
     app.add_option("--scale", setting.solver.scale, "Engine units per metre; 0: automatic");
     app.add_option("--iterations", setting.solver.velocityIterations);

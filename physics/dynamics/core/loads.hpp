@@ -24,7 +24,7 @@ public:
         sum.load.torque += torque;
         sum.gross += std::abs(force.x) + std::abs(force.y);
     }
-    /// That the force on a body varies smoothly with its motion.
+    /// That the force on a body varies smoothly with its place; see Load::varies.
     void noteVarying(SlotIndex slot) {
         if (slot < sums_.size()) {
             sums_[slot].load.varies = true;

@@ -10,8 +10,7 @@ namespace trembler {
 
 /// A force that is held for a time t acts, on average, t/2 after the moment for which it was computed. An
 /// engine that integrates it in steps of h by the semi-implicit Euler method compensates h/2 of this, as that
-/// method moves bodies with their velocity at the end of the step; one of second order compensates all of a
-/// turn, as it learns of the force at the turn's end a turn later. The rest, (t - h)/2, is the lag: it adds
+/// method moves bodies with their velocity at the end of the step. The rest, (t - h)/2, is the lag: it adds
 /// energy to every oscillation (docs/measurements/stability.md), and interactions that add forces can
 /// compensate it. Provided by Dynamics after each of its steps; zero without Dynamics.
 struct ForceLag {

@@ -1,6 +1,6 @@
 // Sleeping and waking: Box2D's own state, and the loads of sleeping bodies.
 #include "physics/dynamics/engines/box2d/box2d_engine.hpp"
-#include "physics/dynamics/engines/drift.hpp"
+#include "physics/dynamics/engines/sleep_limits.hpp"
 
 #include <cmath>
 #include <utility>

@@ -169,10 +169,11 @@ void IslandSolver::bounce(double ahead) {
         }
     }
     double const least = 1e-4 * fastest;
+    jointsStrike_ = false;
     double had = 0;
     if (fastest > 0) {
         beginJointedImpacts();
-        had = kineticEnergyNow();
+        had = jointsStrike_ ? kineticEnergyNow() : 0;
     }
     for (std::size_t strikes = mostStrikes * near.size(); strikes > 0; --strikes) {
         ContactRow* next = nullptr;
@@ -191,7 +192,7 @@ void IslandSolver::bounce(double ahead) {
             break;
         }
     }
-    if (fastest > 0) {
+    if (jointsStrike_) {
         endJointedImpacts();
         // No impact gives energy; rounding in nearly singular equations might.
         takeGainAway(kineticEnergyNow() / ((1 + 1e-6) * had));

@@ -238,6 +238,9 @@ void IslandSolver::run(double duration) {
     if (!island_.joints.empty() && !relaxes_) {
         double const covered = moveSmoothly(duration);
         left = covered < duration ? duration - covered : 0;
+        if (covered > 0) { // with all contacts open
+            forgetForces();
+        }
         since_ = covered;
     }
     exactContacts_ = !relaxes_ && wantsExactContacts();
@@ -628,18 +631,21 @@ int IslandSolver::contactRounds(double h) const {
     return roundsOfStack;
 }
 
-// What is left where a substep cannot be split any more, and is no fault of the equations.
+double IslandSolver::fastest() const {
+    double speed = 0;
+    for (SlotIndex const slot : island_.bodies) {
+        speed = std::max(speed, length(stateOf(slot).velocity));
+    }
+    return speed;
+}
+
 bool IslandSolver::bearable(double h, int halvings) {
     if (exactContacts_ || relaxes_ || misfit_ > mostMisfit ||
         (halvings < mostHalvings && splits_ < mostSplits)) {
         return false;
     }
     double const gain = gainOf(h);
-    double fastest = 0;
-    for (SlotIndex const slot : island_.bodies) {
-        fastest = std::max(fastest, length(stateOf(slot).velocity));
-    }
-    if (gain > mostBearableGain && fastest > fastestBearable) {
+    if (gain > mostBearableGain && fastest() > fastestBearable) {
         return false;
     }
     takeGainAway(gain);

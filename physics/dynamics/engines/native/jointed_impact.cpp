@@ -96,9 +96,6 @@ std::array<double, 2> IslandSolver::speedsAfter(ContactRow const& row, std::size
 }
 
 void IslandSolver::endJointedImpacts() {
-    if (!jointsStrike_) {
-        return;
-    }
     std::vector<ExactRow> const& rows = engine_.exact_.rows();
     std::size_t next = 0;
     for (SlotIndex const slot : island_.joints) {

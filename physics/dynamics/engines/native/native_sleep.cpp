@@ -1,14 +1,20 @@
 // Islands of touching or joined bodies fall asleep, and wake, together.
-#include "physics/dynamics/engines/drift.hpp"
 #include "physics/dynamics/engines/native/native_engine.hpp"
+#include "physics/dynamics/engines/sleep_limits.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 namespace trembler::native {
 
+bool NativeEngine::idles(SlotIndex slot) const {
+    BodyEntry const& entry = bodies_[slot];
+    double const speed = length(states_[slot].velocity);
+    double const spin = std::abs(states_[slot].spin);
+    return entry.restlessJoints == 0 && speed <= slowSpeed && spin <= slowSpin;
+}
+
 void NativeEngine::findRest(double duration) {
-    constexpr double timeToSleep = 0.5 - 1e-9; // s
     for (Island const& island : islands_.groups()) {
         bool touching = !island.joints.empty();
         for (std::uint32_t const contact : island.contacts) {

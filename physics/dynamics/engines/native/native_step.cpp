@@ -268,11 +268,6 @@ void NativeEngine::step(double duration, DynamicsSettings const& settings) {
             movedMarks_[slot] = 1;
         }
     }
-    for (SlotIndex slot = 0; slot < bodies_.size(); ++slot) {
-        bodies_[slot].loadBefore = bodies_[slot].load;
-        bodies_[slot].steps = std::min(2, bodies_[slot].steps + 1);
-        bodies_[slot].lastStep = awake_[slot] != 0 ? duration : 0;
-    }
     exact_.tidy();
     // What the world reads are touches at the step's end, and the next step begins with these contacts.
     findReaches(duration);
@@ -288,24 +283,16 @@ void NativeEngine::step(double duration, DynamicsSettings const& settings) {
     moved_.clear();
     anyAwake_ = false;
     for (SlotIndex slot = 0; slot < bodies_.size(); ++slot) {
-        anyAwake_ = anyAwake_ || awake_[slot] != 0;
+        bool const awake = awake_[slot] != 0;
+        anyAwake_ = anyAwake_ || awake;
+        BodyEntry& entry = bodies_[slot];
+        entry.loadBefore = entry.load;
+        entry.steps = std::min(2, entry.steps + 1);
+        entry.lastStep = awake ? duration : 0;
         if (movedMarks_[slot] != 0) {
             moved_.push_back({slot, motionOf(slot)});
         }
     }
-}
-
-// --- sleep
-// ----------------------------------------------------------------------------------------------------
-
-bool NativeEngine::idles(SlotIndex slot) const {
-    // A body slower than this for that long is at rest, as with the other engines.
-    constexpr double slowSpeed = 0.0025;        // m/s
-    constexpr double slowSpin = 2.0 / 180 * pi; // rad/s
-    BodyEntry const& entry = bodies_[slot];
-    double const speed = length(states_[slot].velocity);
-    double const spin = std::abs(states_[slot].spin);
-    return entry.restlessJoints == 0 && speed <= slowSpeed && spin <= slowSpin;
 }
 
 } // namespace trembler::native

@@ -2,6 +2,7 @@
 // bodies that their equations are dense. Each is solved by itself, as contacts are, in many rounds: what is
 // left of their errors stays, and none of it becomes motion.
 #include "physics/dynamics/engines/native/island_solver.hpp"
+#include "physics/dynamics/engines/sleep_limits.hpp"
 
 #include <algorithm>
 
@@ -13,8 +14,6 @@ constexpr int roundsAfter = 4;
 // The share of an error that a substep takes away, and how fast at most, m/s or rad/s.
 constexpr double closingShare = 0.2;
 constexpr double fastestRelaxing = 1;
-// Bodies whose joints close faster than so are not at rest, m/s.
-constexpr double fastestAsleep = 0.0025;
 // A group whose joints could not hold in so many steps one after the other is relaxed for so many more,
 // before they are tried exactly again.
 constexpr int mostTroubles = 3;
@@ -80,19 +79,13 @@ void IslandSolver::relaxedSubstep(double h) {
     }
     for (SlotIndex const slot : island_.bodies) {
         stateOf(slot).borne = Borne::held; // it moves with the velocity that the joints allow
-        if (length(stateOf(slot).velocity) > fastestAsleep) {
+        if (length(stateOf(slot).velocity) > slowSpeed) {
             engine_.bodies_[slot].idle = 0; // although it is stopped afterwards
         }
     }
-    double const gain = gainOf(h);
-    if (rows_.empty()) { // nothing else can be thrown by joints that close
-        double fastest = 0;
-        for (SlotIndex const slot : island_.bodies) {
-            fastest = std::max(fastest, length(stateOf(slot).velocity));
-        }
-        takeGainAway(fastest > 2 * fastestRelaxing ? gain : 1);
-    } else {
-        takeGainAway(gain);
+    // Where nothing touches, joints that close slowly can throw nothing.
+    if (!rows_.empty() || fastest() > 2 * fastestRelaxing) {
+        takeGainAway(gainOf(h));
     }
     move(h);
     prepareJoints(h, false);

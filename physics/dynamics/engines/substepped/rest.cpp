@@ -1,5 +1,5 @@
 // Islands of touching or joined bodies fall asleep, and wake, together.
-#include "physics/dynamics/engines/drift.hpp"
+#include "physics/dynamics/engines/sleep_limits.hpp"
 #include "physics/dynamics/engines/substepped/substepped_engine.hpp"
 
 #include <algorithm>
@@ -8,14 +8,6 @@
 #include <utility>
 
 namespace trembler {
-namespace {
-
-// A body slower than this for that long is at rest, as in Box2D at its usual scale.
-constexpr double slowSpeed = 0.0025;        // m/s
-constexpr double slowSpin = 2.0 / 180 * pi; // rad/s
-constexpr double timeToSleep = 0.5 - 1e-9;  // s
-
-} // namespace
 
 void SubsteppedEngine::noteAwake(SlotIndex slot) {
     awake_[slot] = 1;
