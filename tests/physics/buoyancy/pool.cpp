@@ -10,6 +10,9 @@ Pool::Pool(Options options) {
     registerGravity(registry);
     registerBuoyancy(registry);
     std::map<std::string, std::string> detail{{"buoyancy", options.detail}};
+    if (!options.engine.empty()) {
+        detail["dynamics"] = options.engine;
+    }
     world = std::make_unique<World>(registry, WorldOptions{.threads = options.threads,
                                                            .detail = detail,
                                                            .periods = {},

@@ -30,6 +30,7 @@ class Pool {
 public:
     struct Options {
         std::string detail = "exact"; ///< of buoyancy
+        std::string engine = {};      ///< of dynamics; empty: the default
         Vec2 gravity{0, -9.81};
         DynamicsSettings solver = {};
         BuoyancySettings buoyancy = {};

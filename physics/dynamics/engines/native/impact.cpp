@@ -3,7 +3,7 @@
 // Bodies that are about to meet are moved until they do, and then bounce. So the height to which a ball rises
 // does not depend on the substeps. Impacts that occur at the same time, as in Newton's cradle, are computed
 // one after the other, the fastest first, each as that of two bodies, until no two approach each other (the
-// "sequential" law of impacts).
+// "sequential" law of impacts); those of the same speed are computed together (tied_impact.cpp).
 #include "physics/dynamics/engines/native/island_solver.hpp"
 
 #include <algorithm>
@@ -125,19 +125,17 @@ bool IslandSolver::strike(ContactRow& row, double slowest) {
         impulse = {};
         impulse[n] = -(1 + row.detail->restitution) * speed[n] / own[n];
     }
-    Vec2 const across = perpendicular(row.normal);
     for (std::size_t n = 0; n < static_cast<std::size_t>(row.count); ++n) {
         push(row, row.points[n], impulse[n], 0);
+    }
+    if (jointed) {
+        followImpact(); // friction acts against the slip that joints leave
     }
     for (std::size_t n = 0; n < static_cast<std::size_t>(row.count); ++n) {
         PointRow const& point = row.points[n];
         double const most = row.friction * impulse[n];
         if (most > 0) {
-            MovingState const& a = stateOf(row.a);
-            MovingState const& b = stateOf(row.b);
-            double const slip =
-                dot(across, b.velocity - a.velocity) + b.spin * point.acrossB - a.spin * point.acrossA;
-            push(row, point, 0, std::clamp(-point.tangentMass * slip, -most, most));
+            push(row, point, 0, std::clamp(-point.tangentMass * slipOf(row, point), -most, most));
         }
     }
     if (jointed) {
@@ -188,7 +186,13 @@ void IslandSolver::bounce(double ahead) {
                 }
             }
         }
-        if (next == nullptr || !strike(*next, least)) {
+        if (next == nullptr) {
+            break;
+        }
+        if (!jointsStrike_ && near.size() > 1 && strikeTogether(near, most)) {
+            continue;
+        }
+        if (!strike(*next, least)) {
             break;
         }
     }

@@ -4,6 +4,7 @@
 #include "physics/dynamics/engines/native/native_engine.hpp"
 
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace trembler::native {
@@ -69,6 +70,8 @@ private:
     /// A substep of an island with joints.
     /// Returns whether the joints are closed after it.
     bool joinedSubstep(double h);
+    /// Whether a body is about to turn further than its contacts can be foreseen.
+    [[nodiscard]] bool leaps(double h) const;
     void remember();
     void restore();
     void springLoads(std::vector<Load>& loads) const;
@@ -113,7 +116,10 @@ private:
     void bounce(double ahead);
     [[nodiscard]] double approachLimit(ContactRow const& row, double h) const;
     bool strike(ContactRow& row, double slowest);
-    [[nodiscard]] double kineticEnergyNow() const; ///< J
+    /// The impacts of those of these contacts that meet at the speed `fastest` (m/s), if they are several.
+    bool strikeTogether(std::span<ContactRow* const> near, double fastest);
+    [[nodiscard]] double slipOf(ContactRow const& row, PointRow const& point) const; ///< m/s
+    [[nodiscard]] double kineticEnergyNow() const;                                   ///< J
 
     // jointed_impact.cpp
     /// Velocities that joints do not allow are corrected. To be called before the impacts of one moment, and

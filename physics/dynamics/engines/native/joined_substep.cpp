@@ -27,6 +27,9 @@ constexpr double mostGain = 0.05;
 constexpr double leastGain = 5e-3; // J for each kg, as overlaps that are closed give
 // An error is removed no faster than this, m/s or rad/s.
 constexpr double fastestClosing = 10;
+// Contacts are linear in the turn of a substep (rad). Where a contact's normal passes near an axle, closing a
+// small gap along it would turn a wheel by any angle.
+constexpr double widestLeap = 0.05;
 constexpr int mostRounds = 12;
 // With contacts; in islands of more bodies than a few, once.
 constexpr int roundsWithContacts = 4;
@@ -450,12 +453,19 @@ void IslandSolver::keepImpulses() {
     }
 }
 
+bool IslandSolver::leaps(double h) const {
+    return std::any_of(island_.bodies.begin(), island_.bodies.end(), [&](SlotIndex slot) {
+        MovingState const& state = stateOf(slot);
+        return h * (std::abs(state.spin) - std::abs(state.spinBefore)) > widestLeap;
+    });
+}
+
 bool IslandSolver::joinedSubstep(double h) {
     beginJoints(h);
     std::vector<ExactRow>& rows = engine_.exact_.rows();
     int const rounds = island_.bodies.size() > few ? 1 : roundsWithContacts;
     bool const good = closeGaps(h, rounds);
-    if (relaxes_) {
+    if (relaxes_ || (exactContacts_ && leaps(h))) {
         return false;
     }
     move(h);

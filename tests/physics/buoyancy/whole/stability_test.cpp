@@ -145,6 +145,7 @@ TEST(Stability, OscillationsGrowUnlessForcesLookAhead) {
         std::array<double, 2> growth{};
         for (bool const ahead : {false, true}) {
             Pool::Options options = wakeful();
+            options.engine = "box2d"; // by the semi-implicit Euler method
             options.buoyancy.lookAhead = ahead;
             options.period = period;
             options.solver.substeps = substeps; // else it would get one step for the time of the force

@@ -124,7 +124,7 @@ TEST_F(Outputs, ThatHoldEarlierWorkAreFiles) {
         // A device would never end.
         Ran const ran = runProgram({command, input, "--resume", "/dev/full"});
         EXPECT_EQ(ran.status, 2) << command;
-        EXPECT_TRUE(contains(ran.err, "/dev/full: is a device")) << ran.err;
+        EXPECT_TRUE(contains(ran.err, "/dev/full: is no ordinary file")) << ran.err;
     }
 }
 
