@@ -56,6 +56,21 @@ TEST_F(Films, AreOneClipWithEverySecondFrame) {
     EXPECT_EQ(toasts.count(), 2U) << "there is no clip to end";
 }
 
+TEST_F(Films, EndAfterAMinuteOfTheWorld) {
+    film.toggle();
+    for (int i = 0; i < 60 * 60 - 1; ++i) {
+        take(true);
+    }
+    EXPECT_TRUE(film.recording());
+    EXPECT_FALSE(fs::exists(folder / "clip-1.webp"));
+    take(true);
+    EXPECT_FALSE(film.recording());
+    EXPECT_TRUE(fs::exists(folder / "clip-1.webp"));
+    EXPECT_EQ(read, 60 * 30);
+    take(true);
+    EXPECT_EQ(read, 60 * 30);
+}
+
 TEST_F(Films, WithoutAnyFrameWriteNothing) {
     film.toggle();
     film.toggle();
