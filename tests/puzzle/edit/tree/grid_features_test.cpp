@@ -21,7 +21,9 @@ public:
     int whole(int low, int high) {
         return low + static_cast<int>(engine_() % static_cast<unsigned>(high - low + 1));
     }
-    double number(double low, double high) { return low + (high - low) * (engine_() % 100001) / 100000.0; }
+    double number(double low, double high) {
+        return low + (high - low) * static_cast<double>(engine_() % 100001) / 100000.0;
+    }
 
 private:
     std::mt19937 engine_;

@@ -22,7 +22,7 @@ std::vector<Vec2> randomPolygon(std::mt19937& engine) {
     std::vector<Vec2> corners;
     for (int i = 0; i < count; ++i) {
         double const angle = 2 * std::numbers::pi * i / count;
-        double const radius = 0.3 + (engine() % 1000) / 1000.0;
+        double const radius = 0.3 + static_cast<double>(engine() % 1000) / 1000.0;
         corners.push_back(radius * Vec2{std::cos(angle), std::sin(angle)});
     }
     return corners;
