@@ -189,7 +189,7 @@ void IslandSolver::bounce(double ahead) {
         if (next == nullptr) {
             break;
         }
-        if (!jointsStrike_ && near.size() > 1 && strikeTogether(near, most)) {
+        if (!jointsStrike_ && strikeTogether(near, most)) {
             continue;
         }
         if (!strike(*next, least)) {

@@ -361,6 +361,13 @@ double IslandSolver::normalSpeed(ContactRow const& row, PointRow const& point) c
     return dot(row.normal, b.velocity - a.velocity) + b.spin * point.normalB - a.spin * point.normalA;
 }
 
+double IslandSolver::slipOf(ContactRow const& row, PointRow const& point) const {
+    MovingState const& a = stateOf(row.a);
+    MovingState const& b = stateOf(row.b);
+    return dot(perpendicular(row.normal), b.velocity - a.velocity) + b.spin * point.acrossB -
+           a.spin * point.acrossA;
+}
+
 void IslandSolver::push(ContactRow const& row, PointRow const& point, double normal, double across) {
     MovingState& a = stateOf(row.a);
     MovingState& b = stateOf(row.b);

@@ -118,8 +118,7 @@ private:
     bool strike(ContactRow& row, double slowest);
     /// The impacts of those of these contacts that meet at the speed `fastest` (m/s), if they are several.
     bool strikeTogether(std::span<ContactRow* const> near, double fastest);
-    [[nodiscard]] double slipOf(ContactRow const& row, PointRow const& point) const; ///< m/s
-    [[nodiscard]] double kineticEnergyNow() const;                                   ///< J
+    [[nodiscard]] double kineticEnergyNow() const; ///< J
 
     // jointed_impact.cpp
     /// Velocities that joints do not allow are corrected. To be called before the impacts of one moment, and
@@ -137,6 +136,8 @@ private:
     [[nodiscard]] MovingState const& stateOf(SlotIndex slot) const { return engine_.states_[slot]; }
     [[nodiscard]] double gapOf(ContactRow const& row, std::size_t point) const;
     [[nodiscard]] double normalSpeed(ContactRow const& row, PointRow const& point) const;
+    /// m/s, of b along the surface.
+    [[nodiscard]] double slipOf(ContactRow const& row, PointRow const& point) const;
     void push(ContactRow const& row, PointRow const& point, double normal, double across);
     /// Nothing if it is too weak, or if nobody asks for impacts.
     [[nodiscard]] std::optional<Impact> impactOf(ContactRow const& row, double impulse) const;

@@ -23,68 +23,64 @@ struct TiedPoint {
     double across = 0; // N s
 };
 
-} // namespace
-
-double IslandSolver::slipOf(ContactRow const& row, PointRow const& point) const {
-    MovingState const& a = stateOf(row.a);
-    MovingState const& b = stateOf(row.b);
-    return dot(perpendicular(row.normal), b.velocity - a.velocity) + b.spin * point.acrossB -
-           a.spin * point.acrossA;
+/// Takes all points by turns until none changes: `improve` returns by how much a point's speed changed, m/s.
+/// The order decides only about the rounding.
+template <class Improve>
+void byTurns(std::vector<TiedPoint>& points, double enough, Improve const& improve) {
+    for (int turn = 0; turn < mostTurns; ++turn) {
+        double change = 0;
+        for (TiedPoint& tied : points) {
+            change = std::max(change, improve(tied));
+        }
+        if (change <= enough) {
+            return;
+        }
+    }
 }
 
+} // namespace
+
 bool IslandSolver::strikeTogether(std::span<ContactRow* const> near, double fastest) {
-    std::vector<TiedPoint> meetings;
-    std::size_t rows = 0;
+    auto const isTied = [&](ContactRow const* row) {
+        auto const end = row->points.begin() + row->count;
+        return std::any_of(row->points.begin(), end, [&](PointRow const& point) {
+            return -normalSpeed(*row, point) >= (1 - sameSpeed) * fastest;
+        });
+    };
+    if (std::count_if(near.begin(), near.end(), isTied) < 2) {
+        return false;
+    }
+    std::vector<TiedPoint> points;
     for (ContactRow* const row : near) {
-        bool tied = false;
-        for (std::size_t n = 0; n < static_cast<std::size_t>(row->count); ++n) {
-            tied = tied || -normalSpeed(*row, row->points[n]) >= (1 - sameSpeed) * fastest;
-        }
-        if (!tied) {
+        if (!isTied(row)) {
             continue;
         }
-        ++rows;
         for (std::size_t n = 0; n < static_cast<std::size_t>(row->count); ++n) {
             double const speed = normalSpeed(*row, row->points[n]);
             double const leaves = speed < 0 ? -row->detail->restitution * speed : 0;
-            meetings.push_back({row, &row->points[n], leaves});
+            points.push_back({row, &row->points[n], leaves});
         }
-    }
-    if (rows < 2) {
-        return false;
     }
     double const had = kineticEnergyNow();
-    // By turns, until none changes; the order decides only about the rounding.
-    for (int round = 0; round < mostTurns; ++round) {
-        double change = 0;
-        for (TiedPoint& meeting : meetings) {
-            double const wanted = meeting.leaves - normalSpeed(*meeting.row, *meeting.point);
-            double const more = std::max(wanted / meeting.point->normalInverse, -meeting.normal);
-            meeting.normal += more;
-            push(*meeting.row, *meeting.point, more, 0);
-            change = std::max(change, std::abs(more) * meeting.point->normalInverse);
-        }
-        if (change <= exactTies * fastest) {
-            break;
-        }
-    }
-    for (int round = 0; round < mostTurns; ++round) {
-        double change = 0;
-        for (TiedPoint& meeting : meetings) {
-            double const most = meeting.row->friction * meeting.normal;
-            double const wanted = -meeting.point->tangentMass * slipOf(*meeting.row, *meeting.point);
-            double const more = std::clamp(meeting.across + wanted, -most, most) - meeting.across;
-            meeting.across += more;
-            push(*meeting.row, *meeting.point, 0, more);
-            change = std::max(change, std::abs(more) / meeting.point->tangentMass);
-        }
-        if (change <= exactTies * fastest) {
-            break;
-        }
-    }
-    for (TiedPoint const& meeting : meetings) {
-        meeting.row->detail->struck += meeting.normal;
-        meeting.row->detail->contact->pressed = true;
+    double const enough = exactTies * fastest;
+    byTurns(points, enough, [&](TiedPoint& tied) {
+        double const wanted = tied.leaves - normalSpeed(*tied.row, *tied.point);
+        double const more = std::max(wanted / tied.point->normalInverse, -tied.normal);
+        tied.normal += more;
+        push(*tied.row, *tied.point, more, 0);
+        return std::abs(more) * tied.point->normalInverse;
+    });
+    byTurns(points, enough, [&](TiedPoint& tied) {
+        double const most = tied.row->friction * tied.normal;
+        double const wanted = -tied.point->tangentMass * slipOf(*tied.row, *tied.point);
+        double const more = std::clamp(tied.across + wanted, -most, most) - tied.across;
+        tied.across += more;
+        push(*tied.row, *tied.point, 0, more);
+        return std::abs(more) / tied.point->tangentMass;
+    });
+    for (TiedPoint const& tied : points) {
+        tied.row->detail->struck += tied.normal;
+        tied.row->detail->contact->pressed = true;
     }
     // Where restitutions differ the law may give more energy than there was.
     takeGainAway(kineticEnergyNow() / ((1 + 1e-9) * had));
