@@ -15,9 +15,12 @@ namespace {
 constexpr double contactShare = 0.25;
 constexpr double contactDamping = 10;
 // Per step, the share by which the force at which a spring is not compressed follows most of the present one,
-// so that bodies at rest do not sink in. All of it, or faster, and a pile would never come to rest.
+// so that bodies at rest do not sink in. All of it, or faster, and a pile would never come to rest. Bodies
+// faster than this (m/s) are not at rest: a force that follows their motion late drives it, as any integral
+// control of a slow oscillation does.
 constexpr double steadyRate = 0.08;
 constexpr double steadyPart = 0.95;
+constexpr double fastestSteady = 2e-4;
 // A change of velocity up to this multiple of that by loads is one by steady forces, such as friction, and
 // not an impact.
 constexpr double steadyShare = 2.5;
@@ -26,10 +29,12 @@ constexpr double steadyShare = 2.5;
 constexpr double stackFactor = 0.9;
 constexpr double mostSubsteps = 64;
 constexpr int leastSubsteps = 4;
-// Contacts are solved at once if one bears this multiple of a body's weight, or if masses that touch differ
-// so much. In piles of equal bodies, whose forces are not determined, this would never come to rest.
+// Contacts are solved at once if one bears this multiple of a body's weight, if masses that touch differ so
+// much, or if their forces are determined, since bodies have no more points of contact than this: then what
+// is stacked is as stiff as it should be, however high. Other piles of equal bodies would never come to rest.
 constexpr double unequalLoads = 50;
 constexpr double unequalMasses = 3;
+constexpr std::size_t determinedPoints = 2; // for each body: the third equation is that of friction
 constexpr std::size_t mostExactContacts = 150;
 // A substep in which joints cannot be closed is split in two, up to so many times.
 constexpr int mostHalvings = 6;
@@ -52,7 +57,8 @@ constexpr int mostHits = 16;
 constexpr std::size_t smallIsland = 128;
 constexpr int roundsOfStack = 2;
 constexpr int roundsOfImpact = 12;
-constexpr double fastImpact = 0.5; // m/s
+constexpr double fastImpact = 0.5;   // m/s
+constexpr double deepOverlap = 5e-3; // m
 // Contacts may add this share to the bodies' kinetic energy, and that of so many m/s, as roundings and
 // overlaps that are closed do.
 constexpr double mostExcess = 0.05;
@@ -103,11 +109,13 @@ bool IslandSolver::wantsExactContacts() const {
     if (island_.contacts.empty() || island_.contacts.size() > mostExactContacts) {
         return false;
     }
+    std::size_t points = 0;
     for (std::uint32_t const i : island_.contacts) {
         Contact const& contact = engine_.contacts_[i];
         if (!contact.used) {
             continue;
         }
+        points += static_cast<std::size_t>(contact.meeting.count);
         double const pressure = contact.force[0] + contact.force[1];
         double const a = stateOf(contact.a).inverseMass;
         double const b = stateOf(contact.b).inverseMass;
@@ -121,7 +129,7 @@ bool IslandSolver::wantsExactContacts() const {
             }
         }
     }
-    return false;
+    return island_.bodies.size() > 1 && points <= determinedPoints * island_.bodies.size();
 }
 
 // --- intervals
@@ -277,7 +285,14 @@ void IslandSolver::run(double duration) {
         noteTroubles();
     }
 
-    for (ContactRow& row : rows_) {
+    auto const rests = [&](SlotIndex slot) {
+        MovingState const& state = stateOf(slot);
+        return length(state.velocity) + std::abs(state.spin) * engine_.bodies_[slot].extent <= fastestSteady;
+    };
+    for (ContactRow const& row : rows_) {
+        if (!rests(row.a) || !rests(row.b)) {
+            continue;
+        }
         for (std::size_t n = 0; n < static_cast<std::size_t>(row.count); ++n) {
             Contact& contact = *row.detail->contact;
             contact.steady[n] += steadyRate * (steadyPart * contact.force[n] - contact.steady[n]);
@@ -621,7 +636,8 @@ void IslandSolver::move(double h) {
 }
 
 // Bodies that rest on others need more than one; so do the chains of a small island through which an impact
-// goes, or a box that lands on a box would tilt it.
+// goes, or a box that lands on a box would tilt it, and overlapping bodies that push each other apart, or
+// they would keep some of that speed.
 int IslandSolver::contactRounds(double h) const {
     if (island_.bodies.size() == 1) {
         return 1;
@@ -629,7 +645,9 @@ int IslandSolver::contactRounds(double h) const {
     if (island_.bodies.size() <= smallIsland) {
         for (ContactRow const& row : rows_) {
             for (std::size_t n = 0; n < static_cast<std::size_t>(row.count); ++n) {
-                if (-normalSpeed(row, row.points[n]) - std::max(0.0, gapOf(row, n)) / h > fastImpact) {
+                double const gap = gapOf(row, n);
+                if (gap < -deepOverlap ||
+                    -normalSpeed(row, row.points[n]) - std::max(0.0, gap) / h > fastImpact) {
                     return roundsOfImpact;
                 }
             }

@@ -45,6 +45,61 @@ TEST(IslandSolver, StacksBearAThousandTimesTheirWeight) {
     }
 }
 
+// Also one that may not fall asleep: what springs of contacts sway by must not grow.
+TEST(IslandSolver, TallStacksDoNotSway) {
+    for (int const boxes : {12, 30}) {
+        SmallWorld world;
+        world.settings.sleeping = false;
+        world.floor();
+        std::vector<SlotIndex> stack;
+        for (int i = 0; i < boxes; ++i) {
+            stack.push_back(world.add(boxShape(1, 1), {.at = {i % 3 == 1 ? 2e-3 : 0, i + 0.5}}));
+        }
+        world.step(1200);
+        for (int i = 0; i < boxes; ++i) {
+            Vec2 const at = world.motions[stack[static_cast<std::size_t>(i)]].centre;
+            EXPECT_NEAR(at.x, i % 3 == 1 ? 2e-3 : 0, 1e-4) << i << " of " << boxes;
+            EXPECT_NEAR(at.y, i + 0.5, 1e-4) << i << " of " << boxes;
+        }
+    }
+}
+
+// A wall of bricks, whose forces are not determined.
+TEST(IslandSolver, AWallOfBricksStands) {
+    SmallWorld world;
+    world.settings.sleeping = false;
+    world.floor();
+    std::vector<SlotIndex> top;
+    for (int row = 0; row < 10; ++row) {
+        top.clear();
+        for (int i = 0; i < 4; ++i) {
+            top.push_back(
+                world.add(boxShape(0.2, 0.1), {.at = {0.2 * i + 0.05 * (row % 2), 0.1 * row + 0.05}}));
+        }
+    }
+    world.step(1200);
+    for (std::size_t i = 0; i < top.size(); ++i) {
+        EXPECT_NEAR(world.motions[top[i]].centre.x, 0.2 * static_cast<double>(i) + 0.05, 2e-3);
+        EXPECT_NEAR(world.motions[top[i]].centre.y, 0.95, 1e-3);
+    }
+}
+
+// Boxes that overlap at the start part without keeping the speed with which they do.
+TEST(IslandSolver, BoxesThatOverlapPartAndStay) {
+    SmallWorld world;
+    world.settings.sleeping = false;
+    world.floor();
+    std::vector<SlotIndex> row;
+    for (int i = 0; i < 5; ++i) {
+        row.push_back(world.add(boxShape(0.5, 0.5), {.at = {0.375 * i, 0.25}}));
+    }
+    world.step(300);
+    for (std::size_t i = 1; i < row.size(); ++i) {
+        double const gap = world.motions[row[i]].centre.x - world.motions[row[i - 1]].centre.x - 0.5;
+        EXPECT_NEAR(gap, 0, 5e-3);
+    }
+}
+
 // Whichever box was made first.
 TEST(IslandSolver, AStackStandsTheSameIfItIsMadeFromTheTop) {
     SmallWorld world;
