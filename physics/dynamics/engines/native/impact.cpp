@@ -19,6 +19,9 @@ constexpr double meetingGap = 1e-6;
 // of it is an impact, and less is none: so a bouncing body comes to rest.
 constexpr double gainsOfImpact = 2;
 constexpr double faintest = 1e-9; // m/s
+// Bodies that pass each other by this share of the smaller one's extent meet along another normal than that
+// with which they began.
+constexpr double steadyNormal = 1e-4;
 // What joints hold as good as fixed yields at least by this share of what it would yield without them.
 constexpr double leastYield = 1e-4;
 // Impacts of one moment, for each contact of the island.
@@ -71,6 +74,19 @@ IslandSolver::Hit IslandSolver::firstHit(double time) {
         }
     }
     return hit;
+}
+
+bool IslandSolver::hitsAside(double after) const {
+    return std::any_of(rows_.begin(), rows_.end(), [&](ContactRow const& row) {
+        if (!row.awaits) {
+            return false;
+        }
+        BodyEntry const& a = engine_.bodies_[row.a];
+        BodyEntry const& b = engine_.bodies_[row.b];
+        Vec2 const way = after * (stateOf(row.b).velocity - stateOf(row.a).velocity);
+        double const size = std::min(a.fixed ? b.extent : a.extent, b.fixed ? a.extent : b.extent);
+        return std::abs(cross(row.normal, way)) > steadyNormal * size;
+    });
 }
 
 double IslandSolver::kineticEnergyNow() const {

@@ -14,6 +14,7 @@ struct JointEntry {
     bool used = false;
     bool restless = false;
     bool collide = true;
+    bool weld = false;
     SlotIndex a = noSlot;
     SlotIndex b = noSlot;
     std::unique_ptr<JointRows> rows;

@@ -239,6 +239,7 @@ void IslandSolver::run(double duration) {
     h_ = duration / substeps;
     catchUpLoads();
     int hits = island_.bodies.size() > smallIsland ? 0 : mostHits;
+    int corrections = 4 * hits;
     int intervals = mostIntervals;
     double left = duration;
     rows_.clear();
@@ -264,11 +265,17 @@ void IslandSolver::run(double duration) {
             while (rest > 0) {
                 Hit const hit = firstHit(rest);
                 if (hit.any && hits > 0) {
-                    --hits;
+                    bool const aside = hit.after > 0 && hitsAside(hit.after) && --corrections > 0;
                     if (hit.after > 0) {
                         substep(hit.after);
                     }
                     rest = hit.after < rest ? rest - hit.after : 0;
+                    if (aside) { // the normal has turned since it was found
+                        findContacts(rest);
+                        makeRows();
+                        continue;
+                    }
+                    --hits;
                     bounce(0);
                     continue;
                 }

@@ -112,6 +112,8 @@ private:
     };
     /// The first impact with restitution within `time` (s); marks all rows that await one within it.
     [[nodiscard]] Hit firstHit(double time);
+    /// Whether bodies that meet `after` (s) move so far past each other by then that their normal turns.
+    [[nodiscard]] bool hitsAside(double after) const;
     /// Lets all bodies that are about to meet bounce; `ahead` (s): how much earlier than they would.
     void bounce(double ahead);
     [[nodiscard]] double approachLimit(ContactRow const& row, double h) const;

@@ -150,6 +150,8 @@ void NativeEngine::addJoint(SlotIndex slot, JointSpec const& spec) {
                                              gear ? joints_[spec.gearB].rows.get() : nullptr);
     entry.restless = entry.rows->restless();
     entry.collide = joint.collide;
+    entry.weld = joint.form == JointForm::weld;
+    weldsKnown_ = weldsKnown_ && !entry.weld;
     entry.a = spec.a;
     entry.b = spec.b;
     for (SlotIndex const body : {spec.a, spec.b}) {
@@ -166,6 +168,7 @@ void NativeEngine::addJoint(SlotIndex slot, JointSpec const& spec) {
 
 void NativeEngine::removeJoint(SlotIndex slot) {
     JointEntry const entry = std::move(joints_[slot]);
+    weldsKnown_ = weldsKnown_ && !entry.weld;
     for (SlotIndex const body : {entry.a, entry.b}) {
         if (body != noSlot) {
             wake(body);
@@ -176,6 +179,32 @@ void NativeEngine::removeJoint(SlotIndex slot) {
     joints_[slot] = {};
     if (!entry.collide) {
         tie(entry.a, entry.b, -1);
+    }
+}
+
+// Contacts between bodies that welds hold to each other, also by way of others, say what the welds say: that
+// they cannot move. As equations they would contradict them.
+void NativeEngine::findWelds() {
+    welded_.resize(bodies_.size(), noSlot);
+    if (weldsKnown_) {
+        return;
+    }
+    weldsKnown_ = true;
+    Islands groups;
+    groups.clear(bodies_.size());
+    std::fill(welded_.begin(), welded_.end(), noSlot);
+    for (JointEntry const& joint : joints_) {
+        if (joint.used && joint.weld && joint.a != noSlot && joint.b != noSlot) {
+            groups.unite(joint.a, joint.b);
+            welded_[joint.a] = joint.a;
+            welded_[joint.b] = joint.b;
+        }
+    }
+    for (SlotIndex& slot : welded_) {
+        slot = slot == noSlot ? noSlot : groups.rootOf(slot);
+    }
+    for (Contact& contact : contacts_) {
+        contact.within = -1; // to be found again
     }
 }
 

@@ -75,6 +75,11 @@ private:
     void findReaches(double time);
     void meetAll();
     void meetOne(Contact& contact, double margin) const;
+    void findWelds();
+    /// Whether welds hold the bodies of the contact to each other.
+    [[nodiscard]] bool welds(Contact const& contact) const {
+        return welded_[contact.a] != noSlot && welded_[contact.a] == welded_[contact.b];
+    }
     void wakeByContacts(double duration);
     void makeIslands();
     void reportTouches();
@@ -93,6 +98,8 @@ private:
     std::vector<std::uint8_t> awake_;
     std::vector<DraggedBody> dragged_; // by slot; empty if no body has drag
     std::vector<JointEntry> joints_;
+    std::vector<SlotIndex> welded_; // by slot: names the group of bodies that welds hold, or noSlot
+    bool weldsKnown_ = true;
     std::vector<std::pair<SlotIndex, SlotIndex>> apart_; // bodies that a joint keeps from colliding, sorted
     NearPairs pairs_;
     std::vector<Contact> contacts_; // ascending by key, as pairs_

@@ -39,6 +39,27 @@ TEST(NativeImpacts, OfTwoDiscsAreThoseOfTheFormula) {
     }));
 }
 
+// A disc that strikes another one aside pushes it along the line of their centres at that moment.
+TEST(NativeImpacts, PushAlongTheLineOfCentresHoweverOblique) {
+    EXPECT_TRUE(rc::check([] {
+        double const aside = 1.9 * unit() * radius; // m, of its way from the other's centre
+        double const speed = 0.5 + 30 * unit();
+        SmallWorld world(0);
+        world.add(discShape(radius),
+                  {.at = {-1 - unit(), aside}, .velocity = {speed, 0}, .restitution = 1, .friction = 0});
+        SlotIndex const struck = world.add(discShape(radius), {.restitution = 1, .friction = 0});
+        for (int i = 0; i < 60 * 10 && world.changes.empty(); ++i) {
+            world.step();
+        }
+        world.step();
+        double const sine = aside / (2 * radius);
+        double const cosine = std::sqrt(1 - sine * sine);
+        Vec2 const velocity = world.motions[struck].velocity;
+        RC_ASSERT(std::abs(velocity.x - speed * cosine * cosine) < 1e-3 * speed);
+        RC_ASSERT(std::abs(velocity.y + speed * cosine * sine) < 1e-3 * speed);
+    }));
+}
+
 TEST(NativeImpacts, LetABallRiseByTheSquareOfTheRestitution) {
     for (double const e : {1.0, 0.8, 0.5}) {
         SmallWorld world;

@@ -2,12 +2,17 @@
 #include "tests/physics/dynamics/engines/native/small_world.hpp"
 
 #include <gtest/gtest.h>
+#include <rapidcheck.h>
 
 #include <cmath>
 
 namespace trembler::test {
 namespace joined_substep_test {
 namespace {
+
+double unit() {
+    return *rc::gen::inRange(0, 1000001) / 1e6;
+}
 
 TEST(JoinedSubstep, WeldedBoxesBearALoadWithoutBending) {
     SmallWorld world;
@@ -66,6 +71,38 @@ TEST(JoinedSubstep, ARopePullsAndNeverPushes) {
     EXPECT_NEAR(world.motions[ball].centre.x, -0.5, 1e-6); // slack
     world.step(60);
     EXPECT_GT(world.motions[ball].centre.x, -1 - 1e-6); // taut
+}
+
+// Two bodies that are welded to a third one and lie flush beside each other: their contact says what the
+// welds say.
+TEST(JoinedSubstep, FlushBodiesThatWeldsHoldFallAsOne) {
+    EXPECT_TRUE(rc::check([] {
+        double const size = 0.05 * std::pow(20, unit());
+        double const spin = 4 * unit() - 2;
+        SmallWorld world;
+        SlotIndex const bar = world.add(boxShape(2 * size, size), {.at = {0, 0}, .spin = spin});
+        double const aside = size / 2;
+        auto const beside = [&](double x) {
+            return SmallBody{.at = {x, size}, .velocity = {-spin * size, spin * x}, .spin = spin};
+        };
+        SlotIndex const left = world.add(boxShape(size, size), beside(-aside));
+        SlotIndex const right = world.add(boxShape(size, size), beside(aside));
+        world.join(JointForm::weld, bar, left, {-aside, size / 2}, {-aside, size / 2});
+        world.join(JointForm::weld, bar, right, {aside, size / 2}, {aside, size / 2});
+        world.step(60);
+        Vec2 centre{};
+        double mass = 0;
+        for (SlotIndex const slot : {bar, left, right}) {
+            centre += world.masses[slot] * world.motions[slot].centre;
+            mass += world.masses[slot];
+            RC_ASSERT(std::abs(world.motions[slot].angle - spin) < 1e-6);
+        }
+        centre = 1 / mass * centre;
+        // The bar and both boxes have the same mass, so the centre begins at half a box.
+        double const x = -spin * size / 2;
+        RC_ASSERT(std::abs(centre.x - x) < 1e-6);
+        RC_ASSERT(std::abs(centre.y - (size / 2 - standardGravity / 2)) < 1e-6);
+    }));
 }
 
 } // namespace
