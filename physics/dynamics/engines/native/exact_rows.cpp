@@ -7,6 +7,7 @@
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace trembler::native {
 namespace {
@@ -15,6 +16,16 @@ using Matrix = Eigen::SparseMatrix<double>;
 using Vector = Eigen::VectorXd;
 
 constexpr double regularisation = 1e-11;
+// Rows of which a pivot is less than this share of its diagonal say what others say already. Of the impulses
+// that have the same effect the direct solution has an arbitrary one, as large as roundings over the
+// regularisation; as soon as the bodies have turned it is a force. So these systems are regularised by this
+// much, and the solution is approached by the proximal point method (R. T. Rockafellar 1976), which stays
+// near the least of them, to this residual, in so many steps at most.
+constexpr double leastPivot = 1e-10;
+constexpr double proximal = 1e-4;
+constexpr double mostResidual = 1e-13;
+constexpr int mostProximalSteps = 60;
+constexpr double slowest = 0.3; // a step that leaves more than this share of the last one's rest is the last
 // Entries of the matrix per row beyond which it is a net that is too dense.
 constexpr std::size_t densest = 60;
 
@@ -38,9 +49,47 @@ struct ExactRows::Factor {
     std::vector<std::uint32_t> diagonal;
     Vector right;
     Vector found;
+    Vector rest;
+    bool redundant = false; // some rows follow from others
 
     void analyse(std::span<ExactRow const> rows);
+    [[nodiscard]] bool hasRedundantRows() const;
+    void solve();
 };
+
+bool ExactRows::Factor::hasRedundantRows() const {
+    auto const& pivots = ldlt.vectorD();
+    auto const& order = ldlt.permutationP().indices();
+    for (std::size_t i = 0; i < diagonal.size(); ++i) {
+        if (pivots[order[static_cast<Eigen::Index>(i)]] < leastPivot * matrix.valuePtr()[diagonal[i]]) {
+            return true;
+        }
+    }
+    return false;
+}
+
+void ExactRows::Factor::solve() {
+    found = ldlt.solve(right);
+    if (!redundant) {
+        return;
+    }
+    double const enough = mostResidual * right.lpNorm<Eigen::Infinity>();
+    double before = std::numeric_limits<double>::infinity();
+    for (int step = 0; step < mostProximalSteps; ++step) {
+        // What is left without the regularisation.
+        rest = right - matrix.selfadjointView<Eigen::Lower>() * found;
+        for (std::size_t i = 0; i < diagonal.size(); ++i) {
+            auto const at = static_cast<Eigen::Index>(i);
+            rest[at] += matrix.valuePtr()[diagonal[i]] * proximal / (1 + proximal) * found[at];
+        }
+        double const left = rest.lpNorm<Eigen::Infinity>();
+        if (left <= enough || left > slowest * before) { // what contradicts others stays
+            return;
+        }
+        before = left;
+        found += ldlt.solve(rest);
+    }
+}
 
 void ExactRows::Factor::analyse(std::span<ExactRow const> rows) {
     struct Share {
@@ -125,6 +174,10 @@ ExactRows::Factor& ExactRows::factorOfRows() {
     return *factor;
 }
 
+bool ExactRows::wereRedundant() {
+    return !rows_.empty() && factorOfRows().redundant;
+}
+
 bool ExactRows::factorise(std::span<MovingState const> states, std::span<double const> follows) {
     Factor& factor = factorOfRows();
     factor_ = &factor;
@@ -151,6 +204,15 @@ bool ExactRows::factorise(std::span<MovingState const> states, std::span<double 
         value = value > 0 ? value * (1 + regularisation) : 1;
     }
     factor.ldlt.factorize(factor.matrix);
+    bool const contacts =
+        std::any_of(rows_.begin(), rows_.end(), [](ExactRow const& row) { return row.contact; });
+    factor.redundant = factor.ldlt.info() != Eigen::Success || (!contacts && factor.hasRedundantRows());
+    if (factor.redundant) {
+        for (std::uint32_t const entry : factor.diagonal) {
+            values[entry] *= (1 + proximal) / (1 + regularisation);
+        }
+        factor.ldlt.factorize(factor.matrix);
+    }
     return factor.ldlt.info() == Eigen::Success;
 }
 
@@ -159,7 +221,7 @@ std::span<double const> ExactRows::solve(std::span<double const> right) {
     for (std::size_t i = 0; i < rows_.size(); ++i) {
         factor.right[static_cast<Eigen::Index>(i)] = rows_[i].active ? right[i] : 0;
     }
-    factor.found = factor.ldlt.solve(factor.right);
+    factor.solve();
     for (std::size_t i = 0; i < rows_.size(); ++i) {
         double& value = factor.found[static_cast<Eigen::Index>(i)];
         if (!rows_[i].active || !std::isfinite(value)) {

@@ -22,7 +22,8 @@ struct ExactTerm {
 struct ExactRow {
     std::array<ExactTerm, 4> terms;
     int count = 0;
-    bool active = true;    ///< an inactive row has no impulse
+    bool active = true; ///< an inactive row has no impulse
+    bool contact = false;
     bool oneSided = false; ///< its impulse must not be negative
     double error = 0;      ///< m or rad
     double impulse = 0;    ///< N s or N m s, in this substep
@@ -30,8 +31,8 @@ struct ExactRow {
 
 /// Solves J W M⁻¹ Jᵀ x = r by a sparse LDLᵀ factorisation, whose symbolic part is kept as long as the same
 /// bodies are connected in the same way. W states by how much a body follows an impulse. Constraints that say
-/// the same share the load by a regularisation of 1e-11. For trees and rings of n joints the cost is about
-/// linear in n.
+/// the same share the load by their proximal solution, unless contacts are among them. For trees and rings of
+/// n joints the cost is about linear in n.
 class ExactRows {
 public:
     ExactRows();
@@ -43,6 +44,8 @@ public:
     /// Prepares solve() for the present rows. `states` by slot, `follows` likewise. Returns whether it could:
     /// a net so dense that it would take long is refused.
     [[nodiscard]] bool factorise(std::span<MovingState const> states, std::span<double const> follows);
+    /// Whether some of the present rows followed from others when they were prepared last.
+    [[nodiscard]] bool wereRedundant();
     /// One unknown for each row; those of inactive rows are 0.
     [[nodiscard]] std::span<double const> solve(std::span<double const> right);
     /// To be called once in a step: forgets what islands that are no more have left.

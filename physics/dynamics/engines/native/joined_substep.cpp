@@ -112,7 +112,7 @@ void IslandSolver::takeExactRows(bool anew) {
         for (std::size_t n = 0; n < static_cast<std::size_t>(row.count); ++n) {
             PointRow const& point = row.points[n];
             ExactRow& made = anew ? exact.emplace_back() : exact[next++];
-            made.oneSided = true;
+            made.contact = made.oneSided = true;
             made.count = 2;
             made.terms[0] = {engine_.moves(row.a) ? row.a : noSlot, -row.normal, -point.normalA};
             made.terms[1] = {engine_.moves(row.b) ? row.b : noSlot, row.normal, point.normalB};
@@ -400,7 +400,9 @@ void IslandSolver::beginJoints(double h) {
     startRows(h);
     takeExactRows(true);
     engine_.springLoadsNow_ = engine_.springLoads_;
-    // What acted in the last substep is the first guess.
+    // What acted in the last substep is the first guess, unless rows say the same: how they share the load
+    // would drift from substep to substep, and act as a force once the bodies have turned.
+    bool const fresh = engine_.exact_.wereRedundant();
     double stretch = 1;
     std::size_t next = 0;
     std::vector<ExactRow>& rows = engine_.exact_.rows();
@@ -422,7 +424,7 @@ void IslandSolver::beginJoints(double h) {
             row.impulse = std::clamp(stretch * row.impulse, row.low, row.high);
             if (row.exact() && row.stiff != 0) {
                 ExactRow& exact = rows[next++];
-                exact.impulse = row.impulse;
+                exact.impulse = fresh ? 0 : row.impulse;
                 exact.active = !exact.oneSided || exact.impulse > 0;
                 give(exact, exact.impulse, 1);
             } else if (row.mass != 0) {

@@ -47,7 +47,8 @@ TEST(NativeImpacts, PushAlongTheLineOfCentresHoweverOblique) {
         SmallWorld world(0);
         world.add(discShape(radius),
                   {.at = {-1 - unit(), aside}, .velocity = {speed, 0}, .restitution = 1, .friction = 0});
-        SlotIndex const struck = world.add(discShape(radius), {.restitution = 1, .friction = 0});
+        SlotIndex const struck =
+            world.add(discShape(radius), {.at = {0, 0}, .restitution = 1, .friction = 0});
         for (int i = 0; i < 60 * 10 && world.changes.empty(); ++i) {
             world.step();
         }

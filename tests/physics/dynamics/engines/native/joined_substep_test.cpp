@@ -105,6 +105,31 @@ TEST(JoinedSubstep, FlushBodiesThatWeldsHoldFallAsOne) {
     }));
 }
 
+// Two welds between the same bodies say the same: how they share a load is not determined, and must not
+// become motion.
+TEST(JoinedSubstep, WeldsThatSayTheSameGainNoEnergy) {
+    for (double const tilt : {0.02, 0.35}) {
+        SmallWorld world;
+        world.floor();
+        Vec2 const at{0, 2};
+        Vec2 const along = rotated(Vec2{1, 0}, tilt);
+        Vec2 const up = rotated(Vec2{0, 1}, tilt);
+        SlotIndex const lower = world.add(boxShape(1, 0.1), {.at = at, .angle = tilt, .restitution = 0.5});
+        SlotIndex const upper =
+            world.add(boxShape(1, 0.1), {.at = at + 0.3 * up, .angle = tilt, .restitution = 0.5});
+        for (double const side : {-0.4, 0.4}) {
+            Vec2 const place = at + side * along + 0.15 * up;
+            world.join(JointForm::weld, lower, upper, place, place);
+        }
+        double const before = world.energy();
+        for (int i = 0; i < 300; ++i) {
+            world.step();
+            ASSERT_LT(world.energy(), before + 1e-6) << tilt << ", frame " << i;
+        }
+        EXPECT_NEAR(length(world.motions[upper].centre - world.motions[lower].centre), 0.3, 1e-6);
+    }
+}
+
 } // namespace
 } // namespace joined_substep_test
 } // namespace trembler::test
