@@ -22,8 +22,8 @@ struct ExactTerm {
 struct ExactRow {
     std::array<ExactTerm, 4> terms;
     int count = 0;
-    bool active = true; ///< an inactive row has no impulse
-    bool contact = false;
+    bool active = true;    ///< an inactive row has no impulse
+    bool contact = false;  ///< of a point of contact, not of a joint
     bool oneSided = false; ///< its impulse must not be negative
     double error = 0;      ///< m or rad
     double impulse = 0;    ///< N s or N m s, in this substep

@@ -76,9 +76,10 @@ private:
     void meetAll();
     void meetOne(Contact& contact, double margin) const;
     void findWelds();
-    /// Whether welds hold the bodies of the contact to each other.
-    [[nodiscard]] bool welds(Contact const& contact) const {
-        return welded_[contact.a] != noSlot && welded_[contact.a] == welded_[contact.b];
+    /// Whether a contact has points, and no welds hold its bodies to each other.
+    [[nodiscard]] bool acts(Contact const& contact) const {
+        return contact.meeting.count > 0 &&
+               (welded_[contact.a] == noSlot || welded_[contact.a] != welded_[contact.b]);
     }
     void wakeByContacts(double duration);
     void makeIslands();

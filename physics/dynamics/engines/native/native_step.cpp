@@ -107,7 +107,7 @@ void NativeEngine::meetOne(Contact& contact, double margin) const {
             contact.steady[i] = steady[best];
         }
     }
-    contact.used = contact.meeting.count > 0 && !welds(contact);
+    contact.used = acts(contact);
     contact.within = margin;
 }
 
@@ -126,7 +126,7 @@ void NativeEngine::meetAll() {
             if (contact.within < margin || bodies_[contact.a].placed || bodies_[contact.b].placed) {
                 meetOne(contact, margin);
             } else {
-                contact.used = contact.meeting.count > 0 && !welds(contact);
+                contact.used = acts(contact);
             }
         }
     }
